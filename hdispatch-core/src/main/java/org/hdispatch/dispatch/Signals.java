@@ -1,0 +1,93 @@
+package org.hdispatch.dispatch;
+
+import java.lang.invoke.MethodHandles;
+import java.lang.invoke.VarHandle;
+import java.util.concurrent.locks.LockSupport;
+
+/**
+ * Wakes the workers when a pass opens and the caller when it is done; spins, then parks.
+ *
+ * <p>Parking is Dekker's pattern: whoever goes to sleep raises its flag and then looks once more;
+ * whoever has news writes it and then looks at the flag. Both sides use volatile accesses, so at
+ * least one of them sees the other, and no wake-up is lost.
+ */
+final class Signals {
+  private static final VarHandle WORD = MethodHandles.arrayElementVarHandle(long[].class);
+  private static final int STRIDE = 16; // 128 bytes between hot words
+  private static final int EPOCH = STRIDE;
+  private static final int FIRST_PARKED = 2 * STRIDE;
+
+  private final long spins;
+  private final Thread[] threads; // by worker; 0 is the caller of the loop that runs now
+  private final long[] words;
+
+  Signals(int workers, WaitPolicy policy) {
+    spins = policy.spins();
+    threads = new Thread[workers];
+    words = new long[FIRST_PARKED + (workers + 1) * STRIDE];
+  }
+
+  /** Says which thread a worker is. */
+  void register(int worker, Thread thread) {
+    threads[worker] = thread;
+  }
+
+  /** Announces a pass (or the end) to the workers. */
+  void announce(long epoch) {
+    WORD.setVolatile(words, EPOCH, epoch);
+    for (int worker = 1; worker < threads.length; worker++) {
+      wake(worker);
+    }
+  }
+
+  /** Waits, as a worker, until another epoch than the given one is announced, and returns it. */
+  long awaitOther(long epoch, int worker) {
+    for (long spin = 0; spin < spins; spin++) {
+      long announced = (long) WORD.getAcquire(words, EPOCH);
+      if (announced != epoch) {
+        return announced;
+      }
+      Thread.onSpinWait();
+    }
+    while (true) {
+      WORD.setVolatile(words, parked(worker), 1L);
+      long announced = (long) WORD.getVolatile(words, EPOCH);
+      if (announced != epoch) {
+        WORD.setVolatile(words, parked(worker), 0L);
+        return announced;
+      }
+      LockSupport.park(this);
+    }
+  }
+
+  /** Waits, as the caller, until the pass is done. May return early: ask again. */
+  void awaitFinished(PullTickets tickets) {
+    for (long spin = 0; spin < spins; spin++) {
+      if (tickets.finished()) {
+        return;
+      }
+      Thread.onSpinWait();
+    }
+    WORD.setVolatile(words, parked(0), 1L);
+    if (!tickets.finished()) {
+      LockSupport.park(this);
+    }
+    WORD.setVolatile(words, parked(0), 0L);
+  }
+
+  /** Tells the caller that the pass is done. */
+  void finished() {
+    wake(0);
+  }
+
+  private void wake(int worker) {
+    if ((long) WORD.getVolatile(words, parked(worker)) != 0) {
+      WORD.setVolatile(words, parked(worker), 0L);
+      LockSupport.unpark(threads[worker]);
+    }
+  }
+
+  private static int parked(int worker) {
+    return FIRST_PARKED + worker * STRIDE;
+  }
+}

@@ -1,0 +1,97 @@
+package org.hdispatch.gc;
+
+import static org.junit.jupiter.api.Assertions.assertArrayEquals;
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import java.util.concurrent.atomic.AtomicInteger;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.Timeout;
+
+@Timeout(30)
+class AllocationMeterTest {
+
+  private static final int ARRAY = 1 << 20;
+
+  private static volatile Object keptAlive;
+  private static volatile double computed;
+
+  @Test
+  void seesAnArrayOfAnotherThreadToItsSize() throws InterruptedException {
+    long bytes = bytesOfOneTaskOnAnotherThread(() -> keptAlive = new byte[ARRAY]);
+    assertTrue(bytes >= ARRAY && bytes <= ARRAY + 24, "bytes=" + bytes); // 16 or 24 of header
+  }
+
+  @Test
+  void readsExactlyZeroForAThreadThatOnlyComputes() throws InterruptedException {
+    long bytes =
+        bytesOfOneTaskOnAnotherThread(
+            () -> {
+              double sum = 0;
+              for (int i = 0; i < 1_000_000; i++) {
+                sum += Math.sqrt(i);
+              }
+              computed = sum;
+            });
+    assertEquals(0, bytes);
+  }
+
+  @Test
+  void allocatesNothingItselfAfterTheFirstReading() {
+    AllocationMeter meter =
+        new AllocationMeter(Thread.currentThread().getId(), Thread.currentThread().getId());
+    long[] before = new long[2];
+    long[] after = new long[2];
+    meter.read(before);
+    meter.read(after);
+    meter.read(before);
+    for (int i = 0; i < 1_000; i++) {
+      meter.read(after);
+    }
+    assertArrayEquals(before, after);
+  }
+
+  @Test
+  void readsMinusOneForAThreadThatHasEnded() throws InterruptedException {
+    Thread thread = new Thread(() -> {});
+    thread.start();
+    thread.join();
+    long[] reading = new long[1];
+    new AllocationMeter(thread.getId()).read(reading);
+    assertEquals(-1, reading[0]);
+  }
+
+  /** Runs the task twice on a thread of its own; what the second run allocates is returned. */
+  private static long bytesOfOneTaskOnAnotherThread(Runnable task) throws InterruptedException {
+    AtomicInteger turn = new AtomicInteger();
+    Thread thread =
+        new Thread(
+            () -> {
+              task.run(); // loads classes
+              turn.set(1);
+              await(turn, 2);
+              task.run();
+              turn.set(3);
+              await(turn, 4);
+            });
+    thread.setDaemon(true);
+    thread.start();
+    AllocationMeter meter = new AllocationMeter(thread.getId());
+    long[] before = new long[meter.threads()];
+    long[] after = new long[meter.threads()];
+    await(turn, 1);
+    meter.read(before);
+    turn.set(2);
+    await(turn, 3);
+    meter.read(after);
+    turn.set(4);
+    thread.join();
+    return after[0] - before[0];
+  }
+
+  private static void await(AtomicInteger turn, int value) {
+    while (turn.get() != value) {
+      Thread.onSpinWait();
+    }
+  }
+}
