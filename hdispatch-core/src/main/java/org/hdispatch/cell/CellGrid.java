@@ -12,22 +12,6 @@ package org.hdispatch.cell;
  */
 public record CellGrid(int nx, int ny, int nz, Ends x, Ends y, Ends z) {
 
-  /** What lies beyond the two ends of an axis. */
-  public enum Ends {
-    /** Nothing: there is no neighbour. */
-    OPEN,
-    /** The other end. */
-    PERIODIC;
-
-    /** A coordinate brought into 0 to extent - 1, or -1 if it lies beyond an open end. */
-    public int wrap(int coordinate, int extent) {
-      if (coordinate >= 0 && coordinate < extent) {
-        return coordinate;
-      }
-      return this == PERIODIC ? Math.floorMod(coordinate, extent) : -1;
-    }
-  }
-
   /**
    * Checks the extents.
    *

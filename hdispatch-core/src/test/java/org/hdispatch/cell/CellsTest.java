@@ -11,29 +11,11 @@ import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
 import java.util.stream.LongStream;
-import net.jqwik.api.ForAll;
-import net.jqwik.api.Property;
-import net.jqwik.api.constraints.IntRange;
-import org.hdispatch.cell.CellGrid.Ends;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.EnumSource;
 
 class CellsTest {
-  @Property
-  void keyGivesItsCoordinatesBack(
-      @ForAll @IntRange(min = CellKey.MIN, max = CellKey.MAX) int i,
-      @ForAll @IntRange(min = CellKey.MIN, max = CellKey.MAX) int j,
-      @ForAll @IntRange(min = CellKey.MIN, max = CellKey.MAX) int k) {
-    long key = CellKey.of(i, j, k);
-    assertEquals(i, CellKey.i(key));
-    assertEquals(j, CellKey.j(key));
-    assertEquals(k, CellKey.k(key));
-    for (KeyOrder order : KeyOrder.values()) {
-      assertEquals(key, order.key(order.code(key)), order.name());
-    }
-  }
-
   @Test
   void keyReadsAsATriple() {
     assertEquals("(3, 0, -7)", CellKey.toString(CellKey.of(3, 0, -7)));

@@ -9,6 +9,7 @@ import java.util.concurrent.CancellationException;
 import java.util.concurrent.locks.LockSupport;
 import org.hdispatch.cell.CellGrid;
 import org.hdispatch.cell.CellMap;
+import org.hdispatch.cell.Ends;
 import org.hdispatch.cell.KeyOrder;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -72,7 +73,7 @@ class DispatcherRandomStepsTest {
         Cell[] mine = new Cell[sizes[s]];
         CellMap<Cell> map =
             CellMap.of(
-                CellGrid.of(sizes[s], 1, 1, CellGrid.Ends.OPEN).keys(),
+                CellGrid.of(sizes[s], 1, 1, Ends.OPEN).keys(),
                 KeyOrder.ROW,
                 key -> {
                   int index = org.hdispatch.cell.CellKey.i(key);

@@ -20,6 +20,7 @@ import java.util.concurrent.locks.LockSupport;
 import org.hdispatch.cell.CellGrid;
 import org.hdispatch.cell.CellKey;
 import org.hdispatch.cell.CellMap;
+import org.hdispatch.cell.Ends;
 import org.hdispatch.cell.KeyOrder;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
@@ -43,7 +44,7 @@ class DispatcherTest {
   }
 
   static CellMap<Counter> counters(int n) {
-    return CellMap.of(CellGrid.of(n, 1, 1, CellGrid.Ends.OPEN).keys(), KeyOrder.ROW, Counter::new);
+    return CellMap.of(CellGrid.of(n, 1, 1, Ends.OPEN).keys(), KeyOrder.ROW, Counter::new);
   }
 
   private static Scheme<Counter, Void> counting(CellMap<Counter> cells) {
@@ -95,7 +96,7 @@ class DispatcherTest {
 
   /** Two passes: neighbours averaged in an order-sensitive way, then a sum in key order. */
   private static double[] smooth(int workers, Handout handout, ScratchLifetime lifetime) {
-    CellGrid grid = CellGrid.of(5, 7, 3, CellGrid.Ends.PERIODIC);
+    CellGrid grid = CellGrid.of(5, 7, 3, Ends.PERIODIC);
     CellMap<Counter> cells = CellMap.of(grid.keys(), KeyOrder.MORTON, Counter::new);
     double[] sum = new double[1];
     Scheme<Counter, double[]> scheme =

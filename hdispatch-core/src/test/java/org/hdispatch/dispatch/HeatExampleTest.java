@@ -6,6 +6,7 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 import org.hdispatch.cell.CellGrid;
 import org.hdispatch.cell.CellKey;
 import org.hdispatch.cell.CellMap;
+import org.hdispatch.cell.Ends;
 import org.hdispatch.cell.KeyOrder;
 import org.junit.jupiter.api.Test;
 
@@ -20,7 +21,7 @@ class HeatExampleTest {
 
   @Test
   void sineDecaysAtTheRateOfTheDifferenceScheme() {
-    CellGrid grid = CellGrid.of(BLOCKS, BLOCKS, BLOCKS, CellGrid.Ends.PERIODIC);
+    CellGrid grid = CellGrid.of(BLOCKS, BLOCKS, BLOCKS, Ends.PERIODIC);
     CellMap<Block> blocks =
         CellMap.of(grid.keys(), KeyOrder.MORTON, key -> new Block(key, new double[2][N * N * N]));
     int length = N * BLOCKS;

@@ -1,0 +1,111 @@
+// For users of Gradle 8.9 or newer; see settings.gradle. Formatting, javadoc and the runnable jar
+// are left to Maven.
+
+val catalog = extensions.getByType<VersionCatalogsExtension>().named("libs")
+
+/** A library that pom.xml manages, with its version from there. */
+fun lib(artifactId: String) = catalog.findLibrary(artifactId).get()
+
+/** What Maven's Surefire adds by itself; its version comes with junit-jupiter. */
+val launcher = "org.junit.platform:junit-platform-launcher"
+
+subprojects {
+    apply(plugin = "java-library")
+
+    configure<BasePluginExtension> {
+        archivesName.set(if (name == "hdispatch-core") name else "hdispatch-$name")
+    }
+    configure<JavaPluginExtension> {
+        withSourcesJar()
+    }
+    tasks.withType<AbstractArchiveTask>().configureEach {
+        isPreserveFileTimestamps = false
+        isReproducibleFileOrder = true
+    }
+    tasks.withType<JavaCompile>().configureEach {
+        options.release.set(catalog.findVersion("java-release").get().requiredVersion.toInt())
+        options.encoding = "UTF-8"
+        options.compilerArgs.addAll(
+            listOf(
+                "-parameters",
+                "-Xlint:all,-processing,-requires-automatic",
+                "-Xdoclint:all,-missing",
+                "-Werror",
+            ),
+        )
+    }
+    tasks.withType<Test>().configureEach {
+        val validation = providers.gradleProperty("validation").isPresent // gradle -Pvalidation test
+        useJUnitPlatform {
+            if (validation) includeTags("validation") else excludeTags("validation")
+        }
+        include("**/*Test.class")
+        // Folder with the large rock images; tests that need it are skipped without it.
+        systemProperty("hdispatch.data", providers.systemProperty("hdispatch.data").getOrElse(""))
+    }
+}
+
+// Maven's scopes: compile is "api" where a signature of the module shows it, else "implementation";
+// runtime is "runtimeOnly"; test is "testImplementation"; provided is "annotationProcessor".
+
+project(":hdispatch-core") {
+    dependencies {
+        "implementation"(lib("eclipse-collections-api"))
+        "implementation"(lib("eclipse-collections"))
+        "testImplementation"(lib("junit-jupiter"))
+        "testImplementation"(lib("jqwik"))
+        "testRuntimeOnly"(launcher)
+    }
+}
+
+project(":sph") {
+    dependencies {
+        "api"(project(":hdispatch-core"))
+        "testImplementation"(lib("junit-jupiter"))
+        "testRuntimeOnly"(launcher)
+    }
+}
+
+project(":lbm") {
+    dependencies {
+        "api"(project(":hdispatch-core"))
+        "testImplementation"(lib("junit-jupiter"))
+        "testImplementation"(lib("jqwik"))
+        "testRuntimeOnly"(launcher)
+    }
+}
+
+project(":porous") {
+    dependencies {
+        "api"(project(":hdispatch-core"))
+        "api"(project(":lbm"))
+        "api"(project(":sph"))
+        "implementation"(lib("jhdf"))
+        "testImplementation"(lib("slf4j-nop"))
+        "testImplementation"(lib("junit-jupiter"))
+        "testImplementation"(lib("jqwik"))
+        "testRuntimeOnly"(launcher)
+    }
+}
+
+project(":app") {
+    dependencies {
+        "implementation"(project(":hdispatch-core"))
+        "implementation"(project(":lbm"))
+        "implementation"(project(":porous"))
+        "implementation"(lib("picocli"))
+        "runtimeOnly"(lib("slf4j-nop"))
+        "testImplementation"(lib("junit-jupiter"))
+        "testImplementation"(lib("archunit"))
+        "testRuntimeOnly"(launcher)
+    }
+}
+
+project(":jmh") {
+    dependencies {
+        "implementation"(project(":hdispatch-core"))
+        "implementation"(project(":lbm"))
+        "implementation"(lib("jmh-core"))
+        "annotationProcessor"(lib("jmh-generator-annprocess"))
+    }
+}

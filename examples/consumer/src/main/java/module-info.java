@@ -1,0 +1,4 @@
+/** A program that embeds the dispatcher. */
+module org.hdispatch.example {
+  requires org.hdispatch.core;
+}

@@ -1,0 +1,33 @@
+package org.hdispatch.lbm;
+
+/**
+ * Extent of a nodal bundle in nodes. Bundles at the far ends of a lattice may be cut short. It
+ * never changes a result, only the speed: longer along x means longer runs.
+ *
+ * @param nx nodes along x
+ * @param ny nodes along y
+ * @param nz nodes along z
+ */
+public record BundleSize(int nx, int ny, int nz) {
+  /**
+   * Checks the extents.
+   *
+   * @throws IllegalArgumentException if an extent is less than 1 or the bundle has 2^27 nodes or
+   *     more
+   */
+  public BundleSize {
+    if (nx < 1 || ny < 1 || nz < 1) {
+      throw new IllegalArgumentException(
+          "bundle must be at least 1 node along each axis: nx=" + nx + ", ny=" + ny + ", nz=" + nz);
+    }
+    if ((double) nx * ny * nz >= 1 << 27) {
+      throw new IllegalArgumentException(
+          "bundle must have less than 2^27 nodes: nx=" + nx + ", ny=" + ny + ", nz=" + nz);
+    }
+  }
+
+  /** A cube of nodes. */
+  public static BundleSize cube(int side) {
+    return new BundleSize(side, side, side);
+  }
+}

@@ -1,0 +1,16 @@
+package org.hdispatch.porous.flow;
+
+import org.hdispatch.lbm.Relaxation;
+
+/** How populations relax. */
+public enum CollisionModel {
+  /** Two relaxation times, magic number 3/16: k does not depend on tau. */
+  TRT,
+  /** One relaxation time: k drifts with tau, for comparison with other codes. */
+  BGK;
+
+  /** The relaxation rates at this tau. */
+  Relaxation at(double relaxationTime) {
+    return this == TRT ? Relaxation.trt(relaxationTime) : Relaxation.bgk(relaxationTime);
+  }
+}

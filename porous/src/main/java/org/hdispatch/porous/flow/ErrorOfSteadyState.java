@@ -1,0 +1,79 @@
+package org.hdispatch.porous.flow;
+
+import java.util.Arrays;
+
+/**
+ * Estimates how far a permeability that is still changing is from its final value.
+ *
+ * <p>Two estimates, and the larger of them counts:
+ *
+ * <ul>
+ *   <li>The decay of its changes, extrapolated. With D1 the range of k over the last eighth of the
+ *       steps and D2 that over the eighth before, the changes shrink by r = D1/D2 each time, and D1
+ *       r/(1 - r) remains to come. r below 1/2 counts as 1/2, so that a lucky pause is not taken
+ *       for the end.
+ *   <li>The imbalance of the fluxes through the sections of the rock, which shows what the decay
+ *       cannot: that pressure is still on its way.
+ * </ul>
+ */
+final class ErrorOfSteadyState {
+  private static final int LEAST_WINDOW = 2;
+  private static final double LEAST_RATIO = 0.5;
+
+  private double[] values = new double[64];
+  private int count;
+  private double imbalance = Double.POSITIVE_INFINITY;
+
+  /**
+   * Adds a sample; samples come at equal intervals.
+   *
+   * @param permeability k, any unit
+   * @param fluxImbalance see {@link SectionFlux#imbalance}
+   */
+  void add(double permeability, double fluxImbalance) {
+    if (count == values.length) {
+      values = Arrays.copyOf(values, 2 * count);
+    }
+    values[count++] = permeability;
+    imbalance = fluxImbalance;
+  }
+
+  /** Relative change of k over the last interval; infinite before there are two samples. */
+  double lastChange() {
+    return count < 2
+        ? Double.POSITIVE_INFINITY
+        : Math.abs(values[count - 1] - values[count - 2]) / Math.abs(values[count - 1]);
+  }
+
+  /** Estimated relative error of the last k; infinite as long as there are too few samples. */
+  double estimate() {
+    return Math.max(extrapolatedDecay(), imbalance);
+  }
+
+  private double extrapolatedDecay() {
+    int window = Math.max(LEAST_WINDOW, count / 8);
+    if (count < 2 * window + 1) {
+      return Double.POSITIVE_INFINITY;
+    }
+    double recent = range(count - 1 - window, count - 1);
+    double before = range(count - 1 - 2 * window, count - 1 - window);
+    if (recent == 0) {
+      return 0;
+    }
+    if (recent >= before) {
+      return Double.POSITIVE_INFINITY;
+    }
+    double ratio = Math.max(LEAST_RATIO, recent / before);
+    return recent * ratio / (1 - ratio) / Math.abs(values[count - 1]);
+  }
+
+  private double range(int first, int last) {
+    double least = Double.POSITIVE_INFINITY;
+    double most = Double.NEGATIVE_INFINITY;
+    for (int n = first; n <= last; n++) {
+      least = Math.min(least, values[n]);
+      most = Math.max(most, values[n]);
+    }
+    return most - least;
+  }
+}

@@ -1,0 +1,135 @@
+package org.hdispatch.porous.flow;
+
+import org.hdispatch.cell.Ends;
+import org.hdispatch.lbm.Lattice;
+import org.hdispatch.porous.image.Axis;
+import org.hdispatch.porous.pore.PoreSpace;
+
+/**
+ * The lattice on which a rock's flow is solved: the rock box with a slab of fluid at each end,
+ * periodic along the flow; and the sizes that time scales follow from.
+ */
+final class FlowDomain {
+  private final PoreSpace rock;
+  private final Axis axis;
+  private final int layers;
+  private final Lattice lattice;
+  private final double hydraulicDiameter;
+
+  /**
+   * Lays out a lattice.
+   *
+   * @param rock the part of the pore space in which fluid flows
+   * @throws IllegalArgumentException if there is no wall at all: nothing would hold the flow back
+   */
+  FlowDomain(PoreSpace rock, FlowOptions options) {
+    this.rock = rock;
+    axis = options.axis();
+    layers = options.layers();
+    Ends sides = options.sides().ends();
+    lattice =
+        new Lattice(
+            rock.nx() + 2 * offset(Axis.X),
+            rock.ny() + 2 * offset(Axis.Y),
+            rock.nz() + 2 * offset(Axis.Z),
+            axis == Axis.X ? Ends.PERIODIC : sides,
+            axis == Axis.Y ? Ends.PERIODIC : sides,
+            axis == Axis.Z ? Ends.PERIODIC : sides,
+            this::fluid);
+    hydraulicDiameter = measureHydraulicDiameter();
+  }
+
+  /** Layers of fluid before the rock along an axis. */
+  int offset(Axis along) {
+    return along == axis ? layers : 0;
+  }
+
+  private boolean fluid(int x, int y, int z) {
+    int inRock = axis.length(x, y, z) - layers;
+    return inRock < 0
+        || inRock >= length()
+        || rock.isPore(x - offset(Axis.X), y - offset(Axis.Y), z - offset(Axis.Z));
+  }
+
+  /**
+   * 4 volume / surface of the rock's pores. A surface made of voxel faces is 3/2 times the smooth
+   * one that it stands for (mean of |n_x| + |n_y| + |n_z| over all directions).
+   */
+  private double measureHydraulicDiameter() {
+    long faces = 0;
+    for (int z = 0; z < rock.nz(); z++) {
+      for (int y = 0; y < rock.ny(); y++) {
+        for (int x = 0; x < rock.nx(); x++) {
+          if (rock.isPore(x, y, z)) {
+            faces += walls(x + offset(Axis.X), y + offset(Axis.Y), z + offset(Axis.Z));
+          }
+        }
+      }
+    }
+    if (faces == 0 && rock.poreVoxels() > 0) {
+      throw new IllegalArgumentException(
+          "pore space must have a wall, or no flow is steady: porosity="
+              + rock.porosity()
+              + ", sides and ends without a wall");
+    }
+    return 4 * rock.poreVoxels() / (faces / 1.5);
+  }
+
+  private int walls(int x, int y, int z) {
+    return wall(x - 1, y, z)
+        + wall(x + 1, y, z)
+        + wall(x, y - 1, z)
+        + wall(x, y + 1, z)
+        + wall(x, y, z - 1)
+        + wall(x, y, z + 1);
+  }
+
+  private int wall(int x, int y, int z) {
+    return lattice.fluid(x, y, z) ? 0 : 1;
+  }
+
+  Lattice lattice() {
+    return lattice;
+  }
+
+  PoreSpace rock() {
+    return rock;
+  }
+
+  Axis axis() {
+    return axis;
+  }
+
+  int layers() {
+    return layers;
+  }
+
+  /** Length of the rock along the flow, voxels. */
+  int length() {
+    return axis.length(rock.nx(), rock.ny(), rock.nz());
+  }
+
+  /** Voxels of the rock box. */
+  int voxels() {
+    return rock.voxels();
+  }
+
+  /** Cross-section of the rock box, voxels². */
+  int crossSection() {
+    return voxels() / length();
+  }
+
+  /** 4 volume / surface of the rock's pores, voxels. */
+  double hydraulicDiameter() {
+    return hydraulicDiameter;
+  }
+
+  /**
+   * A first guess of the permeability, voxel²: Kozeny-Carman with the hydraulic radius r = d/4, k =
+   * phi r² / 5 (Carman 1937). It serves to choose numbers, never a result.
+   */
+  double guessedPermeability() {
+    double radius = hydraulicDiameter / 4;
+    return rock.porosity() * radius * radius / 5;
+  }
+}

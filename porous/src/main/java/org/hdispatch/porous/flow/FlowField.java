@@ -1,0 +1,88 @@
+package org.hdispatch.porous.flow;
+
+import org.hdispatch.dispatch.Tick;
+import org.hdispatch.lbm.LbmScheme;
+import org.hdispatch.porous.image.Axis;
+
+/**
+ * Velocity and pressure of a steady flow in the rock box, free of any fluid: multiply by what the
+ * user's fluid and pressure gradient give.
+ *
+ * <p>Shape of all arrays: flat, x fastest, one value a voxel, 0 in solid voxels.
+ *
+ * <ul>
+ *   <li>{@code velocity}: u nu / g in voxel²; its mean along the flow over the rock box, times L/(L
+ *       + 2 B), is the permeability. Physical: u = velocity edge² (dp/dx)/mu.
+ *   <li>{@code pressure}: (p - p_inlet)/(rho g) in voxels; it falls along the flow. Physical: p =
+ *       pressure edge (dp/dx).
+ * </ul>
+ */
+public final class FlowField {
+  private final int nx;
+  private final int ny;
+  private final int nz;
+  private final float[][] velocity;
+  private final float[] pressure;
+
+  private FlowField(FlowDomain domain) {
+    nx = domain.rock().nx();
+    ny = domain.rock().ny();
+    nz = domain.rock().nz();
+    velocity = new float[3][domain.voxels()];
+    pressure = new float[domain.voxels()];
+  }
+
+  /** Reads the field from the populations of a scheme. */
+  static FlowField of(FlowDomain domain, LbmScheme flow, Tick clock, double force) {
+    FlowField field = new FlowField(domain);
+    double scale = flow.relaxation().viscosity() / force;
+    flow.forEachNode(
+        clock,
+        (x, y, z, density, ux, uy, uz) ->
+            field.put(
+                domain,
+                x - domain.offset(Axis.X),
+                y - domain.offset(Axis.Y),
+                z - domain.offset(Axis.Z),
+                new double[] {ux * scale, uy * scale, uz * scale},
+                (density - 1) / (3 * force)));
+    return field;
+  }
+
+  /** Density gives the pressure beside the linear fall that the force stands for. */
+  private void put(FlowDomain domain, int x, int y, int z, double[] u, double p) {
+    int along = domain.axis().length(x, y, z);
+    if (along >= 0 && along < domain.length()) {
+      int voxel = domain.rock().index(x, y, z);
+      for (int c = 0; c < 3; c++) {
+        velocity[c][voxel] = (float) u[c];
+      }
+      pressure[voxel] = (float) (p - (along + 0.5));
+    }
+  }
+
+  /** Voxels along x. */
+  public int nx() {
+    return nx;
+  }
+
+  /** Voxels along y. */
+  public int ny() {
+    return ny;
+  }
+
+  /** Voxels along z. */
+  public int nz() {
+    return nz;
+  }
+
+  /** One component of the velocity. The array itself, not a copy. */
+  public float[] velocity(Axis component) {
+    return velocity[component.ordinal()];
+  }
+
+  /** The pressure. The array itself, not a copy. */
+  public float[] pressure() {
+    return pressure;
+  }
+}

@@ -1,0 +1,218 @@
+package org.hdispatch.porous.flow;
+
+import java.util.Objects;
+import java.util.Optional;
+import org.hdispatch.dispatch.Dispatcher;
+import org.hdispatch.dispatch.LoopStats;
+import org.hdispatch.dispatch.TimeLoop;
+import org.hdispatch.lbm.BodyForce;
+import org.hdispatch.lbm.BundleSize;
+import org.hdispatch.lbm.Equilibrium;
+import org.hdispatch.lbm.LbmScheme;
+import org.hdispatch.lbm.VelocitySet;
+import org.hdispatch.porous.darcy.Darcy;
+import org.hdispatch.porous.image.Axis;
+import org.hdispatch.porous.pore.Percolation;
+import org.hdispatch.porous.pore.PoreSpace;
+
+/**
+ * Steady flow through a pore space by the lattice Boltzmann method with the linear (Stokes)
+ * equilibrium: one node a voxel, half-way bounce-back at the walls, driven by a body force.
+ *
+ * <p>The flow is solved on the clusters that span the box along the flow (6-connected), and stops
+ * when the estimated relative error of k is below the tolerance twice running.
+ */
+public final class LbmFlow {
+  /** Steps between measurements. */
+  private static final int INTERVAL = 50;
+
+  /** Measurements before what is counted "per step" is counted. */
+  private static final int WARM_UP_INTERVALS = 4;
+
+  /** Mean pore velocity aimed at, voxels per step; k does not depend on it. */
+  private static final double PORE_VELOCITY = 1e-3;
+
+  private static final BundleSize BUNDLE = BundleSize.cube(20);
+
+  private LbmFlow() {}
+
+  /**
+   * Computes the steady flow.
+   *
+   * @param dispatcher whose workers step
+   * @param space the pore space of the rock
+   * @param options settings
+   * @param listener hears of the progress
+   * @return the flow; k = 0 without a step if no cluster spans
+   * @throws IllegalArgumentException if fluid is nowhere held back by a wall
+   * @throws DivergedException if k becomes infinite or not a number
+   * @throws java.util.concurrent.CancellationException if the caller is interrupted
+   */
+  public static SteadyFlow solve(
+      Dispatcher dispatcher, PoreSpace space, FlowOptions options, FlowListener listener) {
+    Objects.requireNonNull(listener, "listener");
+    Percolation percolation =
+        Percolation.along(space, options.axis(), options.sides().ends(), options.inlet().ends());
+    if (!percolation.percolates()) {
+      return nothingSpans(space, options, percolation);
+    }
+    FlowDomain domain = new FlowDomain(percolation.connected(), options);
+    return new Run(dispatcher, space, options, percolation, domain, listener).toSteadyState();
+  }
+
+  /**
+   * Heap that a computation needs, in bytes: two copies of the populations, streaming plan, set-up
+   * and image. An estimate from above for common rock.
+   *
+   * @param fluidNodes fluid nodes, slabs included
+   * @param voxels voxels of the rock box and slabs
+   */
+  public static long estimatedBytes(VelocitySet set, long fluidNodes, long voxels) {
+    long perNode = 2L * set.size() * Double.BYTES + set.size() * 3L * Integer.BYTES + Integer.BYTES;
+    long perVoxel = Integer.BYTES + 2;
+    return fluidNodes * perNode + voxels * perVoxel;
+  }
+
+  private static SteadyFlow nothingSpans(
+      PoreSpace space, FlowOptions options, Percolation percolation) {
+    return new SteadyFlow(
+        options,
+        space.porosity(),
+        percolation,
+        0,
+        0,
+        0,
+        true,
+        0,
+        Double.NaN,
+        Double.NaN,
+        0,
+        0,
+        0,
+        new LoopStats(0, 0, java.util.List.of()),
+        0,
+        Optional.empty());
+  }
+
+  /** One computation. */
+  private static final class Run {
+    private final PoreSpace space;
+    private final FlowOptions options;
+    private final Percolation percolation;
+    private final FlowDomain domain;
+    private final FlowListener listener;
+    private final double relaxationTime;
+    private final double force;
+    private final LbmScheme scheme;
+    private final TimeLoop loop;
+    private final SectionFlux flux;
+    private final ErrorOfSteadyState error = new ErrorOfSteadyState();
+    private double permeability;
+    private double warmUpSeconds;
+
+    Run(
+        Dispatcher dispatcher,
+        PoreSpace space,
+        FlowOptions options,
+        Percolation percolation,
+        FlowDomain domain,
+        FlowListener listener) {
+      this.space = space;
+      this.options = options;
+      this.percolation = percolation;
+      this.domain = domain;
+      this.listener = listener;
+      relaxationTime = RelaxationChoice.choose(options, domain);
+      var relaxation = options.collision().at(relaxationTime);
+      force =
+          PORE_VELOCITY
+              * domain.rock().porosity()
+              * relaxation.viscosity()
+              / domain.guessedPermeability();
+      scheme =
+          LbmScheme.on(domain.lattice())
+              .velocitySet(options.velocitySet())
+              .relaxation(relaxation)
+              .equilibrium(Equilibrium.LINEAR)
+              .force(along(options.axis(), force))
+              .bundleSize(BUNDLE)
+              .build();
+      loop = dispatcher.loop(scheme);
+      flux = new SectionFlux(dispatcher, domain, scheme, loop.tick());
+    }
+
+    private static BodyForce along(Axis axis, double force) {
+      return new BodyForce(
+          axis == Axis.X ? force : 0, axis == Axis.Y ? force : 0, axis == Axis.Z ? force : 0);
+    }
+
+    SteadyFlow toSteadyState() {
+      listener.started(new FlowListener.Start(scheme.nodes(), relaxationTime));
+      long warmUpSteps = 0;
+      boolean below = false;
+      boolean converged = false;
+      for (int interval = 1; !converged && steps() < options.maxSteps(); interval++) {
+        loop.run(Math.min(INTERVAL, options.maxSteps() - steps()));
+        measure();
+        boolean belowAgain = error.estimate() <= options.tolerance();
+        converged = below && belowAgain;
+        below = belowAgain;
+        if (interval == WARM_UP_INTERVALS && !converged) {
+          warmUpSteps = steps();
+          warmUpSeconds = loop.stats().nanos() * 1e-9;
+          loop.resetStats();
+          listener.warmedUp();
+        }
+      }
+      return new SteadyFlow(
+          options,
+          space.porosity(),
+          percolation,
+          permeability,
+          error.estimate(),
+          error.lastChange(),
+          converged,
+          steps(),
+          relaxationTime,
+          domain.hydraulicDiameter(),
+          flux.highestSpeed() / Math.sqrt(VelocitySet.SOUND_SPEED_SQUARED),
+          scheme.nodes(),
+          warmUpSteps,
+          loop.stats(),
+          seconds(),
+          Optional.of(FlowField.of(domain, scheme, loop.tick(), force)));
+    }
+
+    private long steps() {
+      return loop.tick().step();
+    }
+
+    private double seconds() {
+      return warmUpSeconds + loop.stats().nanos() * 1e-9;
+    }
+
+    private void measure() {
+      flux.measure();
+      permeability =
+          Darcy.permeability(
+              scheme.relaxation().viscosity(),
+              flux.superficialVelocity(),
+              force,
+              domain.length(),
+              domain.layers());
+      if (!Double.isFinite(permeability)) {
+        throw new DivergedException(steps(), relaxationTime);
+      }
+      error.add(permeability, flux.imbalance());
+      listener.progressed(
+          new FlowListener.Progress(
+              steps(),
+              options.maxSteps(),
+              permeability,
+              error.estimate(),
+              options.tolerance(),
+              seconds(),
+              scheme.nodes() * (double) steps() / seconds() * 1e-6));
+    }
+  }
+}

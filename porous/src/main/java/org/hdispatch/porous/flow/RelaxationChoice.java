@@ -1,0 +1,45 @@
+package org.hdispatch.porous.flow;
+
+import org.hdispatch.lbm.Relaxation;
+
+/**
+ * Chooses tau so that the steady state comes soon. With TRT the permeability does not depend on it,
+ * the number of steps does.
+ *
+ * <p>Two things must settle. Momentum, in a tube of radius R, takes t_m = R²/(5.78 nu) (first zero
+ * of the Bessel function J_0, squared); R is half the hydraulic diameter. Pressure diffuses through
+ * the rock with D = k c_s²/(phi nu) and takes t_p = (L/pi)²/D. The sum is least where the two are
+ * equal: nu² = R² k c_s² pi²/(5.78 phi L²).
+ */
+final class RelaxationChoice {
+  /** Below this the momentum takes too long, above that the first steps ring. */
+  private static final double LEAST = 0.55;
+
+  private static final double MOST = 4;
+  private static final double BESSEL_ZERO_SQUARED = 5.7832;
+
+  /** BGK permeabilities drift with tau: 1 is what codes that use it use. */
+  private static final double BGK = 1;
+
+  private RelaxationChoice() {}
+
+  /** The given tau, or else the one that fits the domain. */
+  static double choose(FlowOptions options, FlowDomain domain) {
+    if (options.relaxationTime().isPresent()) {
+      return options.relaxationTime().getAsDouble();
+    }
+    if (options.collision() == CollisionModel.BGK) {
+      return BGK;
+    }
+    double radius = domain.hydraulicDiameter() / 2;
+    double length = domain.length() + 2.0 * domain.layers();
+    double viscosity =
+        radius
+            * Math.PI
+            / length
+            * Math.sqrt(
+                domain.guessedPermeability()
+                    / (3 * BESSEL_ZERO_SQUARED * domain.rock().porosity()));
+    return Math.max(LEAST, Math.min(MOST, Relaxation.relaxationTime(viscosity)));
+  }
+}

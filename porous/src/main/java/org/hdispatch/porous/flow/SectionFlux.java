@@ -1,0 +1,140 @@
+package org.hdispatch.porous.flow;
+
+import java.util.Arrays;
+import org.hdispatch.cell.CellMap;
+import org.hdispatch.cell.KeyOrder;
+import org.hdispatch.dispatch.Dispatcher;
+import org.hdispatch.dispatch.Scheme;
+import org.hdispatch.dispatch.Tick;
+import org.hdispatch.dispatch.TimeLoop;
+import org.hdispatch.lbm.LbmScheme;
+import org.hdispatch.lbm.NodalBundle;
+import org.hdispatch.porous.image.Axis;
+
+/**
+ * Measures the flux through every cross-section of the rock, and the highest speed, in a pass of
+ * its own over the bundles. Each bundle sums its own nodes; the sums are added in key order, so
+ * that every bit is the same for any number of workers.
+ */
+final class SectionFlux {
+  private final FlowDomain domain;
+  private final LbmScheme flow;
+  private final CellMap<Part> parts;
+  private final TimeLoop loop;
+  private final double[] flux;
+  private double highestSpeed;
+
+  /**
+   * Makes a meter.
+   *
+   * @param clock clock of the loop that runs the flow
+   */
+  SectionFlux(Dispatcher dispatcher, FlowDomain domain, LbmScheme flow, Tick clock) {
+    this.domain = domain;
+    this.flow = flow;
+    flux = new double[domain.length()];
+    CellMap<NodalBundle> bundles = flow.cells();
+    long[] keys = new long[bundles.size()];
+    Arrays.setAll(keys, bundles::keyAt);
+    parts = CellMap.of(keys, KeyOrder.MORTON, key -> new Part(bundles.get(key)));
+    loop =
+        dispatcher.loop(
+            Scheme.of(parts)
+                .scratch(flow::newScratch)
+                .pass("section flux", (part, scratch, tick) -> part.sum(clock, scratch))
+                .build());
+  }
+
+  /** Measures now. */
+  void measure() {
+    loop.run(1);
+    Arrays.fill(flux, 0);
+    double square = 0;
+    for (int n = 0; n < parts.size(); n++) {
+      parts.cellAt(n).addTo(flux);
+      square = Math.max(square, parts.cellAt(n).highestSquare);
+    }
+    highestSpeed = Math.sqrt(square);
+  }
+
+  /** Highest speed at a node, slabs included, voxels per step. */
+  double highestSpeed() {
+    return highestSpeed;
+  }
+
+  /** Mean flux over the rock per cross-section: the superficial velocity, voxels per step. */
+  double superficialVelocity() {
+    return mean() / domain.crossSection();
+  }
+
+  private double mean() {
+    double sum = 0;
+    for (double section : flux) {
+      sum += section;
+    }
+    return sum / flux.length;
+  }
+
+  /**
+   * How far the flux of a section is at most from the mean, relative to it. In a steady flow all
+   * are the same; while pressure still spreads, the flux to come lies between the least and the
+   * most of them (each stretch of rock obeys Darcy's law, and the pressure drops add up to the
+   * drive).
+   */
+  double imbalance() {
+    double mean = mean();
+    double least = Double.POSITIVE_INFINITY;
+    double most = Double.NEGATIVE_INFINITY;
+    for (double section : flux) {
+      least = Math.min(least, section);
+      most = Math.max(most, section);
+    }
+    return Math.max(most - mean, mean - least) / Math.abs(mean);
+  }
+
+  /** The sums of one bundle. */
+  private final class Part {
+    private final NodalBundle bundle;
+    private final int firstSection;
+    private final double[] sums;
+    private double highestSquare;
+
+    Part(NodalBundle bundle) {
+      this.bundle = bundle;
+      int least = Integer.MAX_VALUE;
+      int most = Integer.MIN_VALUE;
+      for (int node = 0; node < bundle.nodes(); node++) {
+        int section = section(bundle.x(node), bundle.y(node), bundle.z(node));
+        least = Math.min(least, section);
+        most = Math.max(most, section);
+      }
+      firstSection = least;
+      sums = new double[most - least + 1];
+    }
+
+    private int section(int x, int y, int z) {
+      return domain.axis().length(x, y, z) - domain.layers();
+    }
+
+    void sum(Tick clock, LbmScheme.Scratch scratch) {
+      Arrays.fill(sums, 0);
+      highestSquare = 0;
+      flow.forEachNode(bundle, scratch, clock, this::add);
+    }
+
+    private void add(int x, int y, int z, double density, double ux, double uy, double uz) {
+      Axis axis = domain.axis();
+      sums[section(x, y, z) - firstSection] += axis == Axis.X ? ux : axis == Axis.Y ? uy : uz;
+      highestSquare = Math.max(highestSquare, ux * ux + uy * uy + uz * uz);
+    }
+
+    void addTo(double[] flux) {
+      for (int n = 0; n < sums.length; n++) {
+        int section = firstSection + n;
+        if (section >= 0 && section < flux.length) {
+          flux[section] += sums[n];
+        }
+      }
+    }
+  }
+}

@@ -1,0 +1,15 @@
+package org.hdispatch.porous.flow;
+
+import org.hdispatch.cell.Ends;
+
+/** What bounds the rock at the four sides along the flow. */
+public enum Sides {
+  /** No-slip walls, half a voxel outside the outermost voxels: a jacketed sample. */
+  WALL,
+  /** The rock again. */
+  PERIODIC;
+
+  Ends ends() {
+    return this == PERIODIC ? Ends.PERIODIC : Ends.OPEN;
+  }
+}

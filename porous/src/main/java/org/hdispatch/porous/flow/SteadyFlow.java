@@ -1,0 +1,55 @@
+package org.hdispatch.porous.flow;
+
+import java.util.Optional;
+import org.hdispatch.dispatch.LoopStats;
+import org.hdispatch.porous.pore.Percolation;
+import org.hdispatch.porous.pore.PoreSpace;
+
+/**
+ * The outcome of a flow computation, in voxel units.
+ *
+ * @param options what was asked
+ * @param porosity pore voxels over all voxels of the rock box
+ * @param percolation which part of the pore space spans; the flow was solved in that part
+ * @param permeability k, voxel²; 0 if nothing spans
+ * @param errorEstimate estimated relative error of k; 0 if nothing spans
+ * @param changeAtStop relative change of k over the last interval between measurements
+ * @param converged whether the estimate came below the tolerance; true if nothing spans
+ * @param steps steps done
+ * @param relaxationTime tau used; NaN if nothing spans
+ * @param hydraulicDiameter 4 volume / surface of the connected pores, voxels; NaN if nothing spans
+ * @param mach highest speed over the speed of sound; 0 if nothing spans
+ * @param fluidNodes fluid nodes of the lattice, slabs included
+ * @param warmUpSteps steps before {@code stats}
+ * @param stats what the workers did after warm-up
+ * @param secondsStepping wall time of all steps, warm-up included, s
+ * @param field velocity and pressure; empty if nothing spans
+ */
+public record SteadyFlow(
+    FlowOptions options,
+    double porosity,
+    Percolation percolation,
+    double permeability,
+    double errorEstimate,
+    double changeAtStop,
+    boolean converged,
+    long steps,
+    double relaxationTime,
+    double hydraulicDiameter,
+    double mach,
+    long fluidNodes,
+    long warmUpSteps,
+    LoopStats stats,
+    double secondsStepping,
+    Optional<FlowField> field) {
+
+  /** Million fluid-node updates per second, warm-up included; 0 if nothing was stepped. */
+  public double mflups() {
+    return secondsStepping == 0 ? 0 : fluidNodes * (double) steps / secondsStepping * 1e-6;
+  }
+
+  /** The pore space in which the flow was solved. */
+  public PoreSpace solved() {
+    return percolation.connected();
+  }
+}

@@ -1,0 +1,10 @@
+/**
+ * Images from files, and results into files: HDF5 and raw 8-bit in, VTI out.
+ *
+ * <p>This package is the only user of jHDF. Sub-blocks are read without loading the volume they are
+ * cut from. A file that is missing, unreadable or wrong is an {@link
+ * org.hdispatch.porous.io.ImageFileException} of one line that names the remedy; a bad argument,
+ * such as a box outside the image, is an {@link IllegalArgumentException}. What jHDF 0.13.0 would
+ * decode wrongly without a word is refused.
+ */
+package org.hdispatch.porous.io;
