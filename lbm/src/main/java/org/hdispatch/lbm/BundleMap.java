@@ -79,14 +79,19 @@ final class BundleMap {
     return Arrays.copyOf(found, n);
   }
 
-  /** Finds the source of every population of every node, and joins them to runs. */
+  /** Finds the source of every population of every node, and writes the plan. */
   private final class Linker {
+    /** Mean length from which on runs are faster than links. */
+    private static final int LONG_RUN = 10;
+
     private final CellMap<NodalBundle> bundles;
     private final CellMap<int[]> nodeAt; // per bundle: node of each position of the box
+    private final int[] source = new int[StreamPlan.CHUNK];
+    private final int[] index = new int[StreamPlan.CHUNK];
+    private final NodalBundle[] sources = new NodalBundle[27];
+    private int sourceCount;
     private int[] plan = new int[1024];
     private int length;
-    private NodalBundle[] sources = new NodalBundle[28];
-    private int sourceCount;
 
     Linker(CellMap<NodalBundle> bundles) {
       this.bundles = bundles;
@@ -112,43 +117,38 @@ final class BundleMap {
       sources[0] = bundle;
       sourceCount = 1;
       for (int first = 0; first < bundle.nodes(); first += StreamPlan.CHUNK) {
-        int last = Math.min(first + StreamPlan.CHUNK, bundle.nodes());
+        int nodes = Math.min(StreamPlan.CHUNK, bundle.nodes() - first);
         for (int i = 0; i < set.size(); i++) {
-          appendRuns(bundle, first, last, i);
+          for (int k = 0; k < nodes; k++) {
+            findSource(bundle, first + k, i, k);
+          }
+          int runs = countRuns(nodes);
+          if (runs * LONG_RUN <= nodes) {
+            writeRuns(runs, nodes);
+          } else {
+            writeLinks(nodes);
+          }
         }
       }
-      return new StreamPlan(Arrays.copyOf(sources, sourceCount), set, Arrays.copyOf(plan, length));
+      return new StreamPlan(Arrays.copyOf(sources, sourceCount), Arrays.copyOf(plan, length));
     }
 
-    private void appendRuns(NodalBundle bundle, int first, int last, int i) {
-      int count = length;
-      append(0);
-      for (int node = first; node < last; node++) {
-        int x = bundle.x(node);
-        int y = bundle.y(node);
-        int z = bundle.z(node);
-        int source = 1; // bounced, from the bundle itself
-        int from = node;
-        if (lattice.open(x, y, z, -set.cx(i), -set.cy(i), -set.cz(i))) {
-          int sx = lattice.x().wrap(x - set.cx(i), lattice.nx());
-          int sy = lattice.y().wrap(y - set.cy(i), lattice.ny());
-          int sz = lattice.z().wrap(z - set.cz(i), lattice.nz());
-          long key = CellKey.of(sx / size.nx(), sy / size.ny(), sz / size.nz());
-          source = 2 * sourceNumber(bundles.get(key));
-          from = nodeAt.get(key)[position(sx, sy, sz)];
-        }
-        boolean continues =
-            node > first
-                && plan[length - 2] == source
-                && plan[length - 1] + plan[length - 3] == from;
-        if (continues) {
-          plan[length - 3]++;
-        } else {
-          append(1);
-          append(source);
-          append(from);
-          plan[count]++;
-        }
+    /** Finds where population i of a node comes from. */
+    private void findSource(NodalBundle bundle, int node, int i, int k) {
+      int x = bundle.x(node);
+      int y = bundle.y(node);
+      int z = bundle.z(node);
+      if (lattice.open(x, y, z, -set.cx(i), -set.cy(i), -set.cz(i))) {
+        int sx = lattice.x().wrap(x - set.cx(i), lattice.nx());
+        int sy = lattice.y().wrap(y - set.cy(i), lattice.ny());
+        int sz = lattice.z().wrap(z - set.cz(i), lattice.nz());
+        long key = CellKey.of(sx / size.nx(), sy / size.ny(), sz / size.nz());
+        NodalBundle from = bundles.get(key);
+        source[k] = sourceNumber(from);
+        index[k] = i * from.stride() + nodeAt.get(key)[position(sx, sy, sz)];
+      } else {
+        source[k] = 0;
+        index[k] = set.opposite(i) * bundle.stride() + node;
       }
     }
 
@@ -160,6 +160,48 @@ final class BundleMap {
       }
       sources[sourceCount] = bundle;
       return sourceCount++;
+    }
+
+    private boolean continues(int k) {
+      return k > 0 && source[k] == source[k - 1] && index[k] == index[k - 1] + 1;
+    }
+
+    private int countRuns(int nodes) {
+      int runs = 0;
+      for (int k = 0; k < nodes; k++) {
+        runs += continues(k) ? 0 : 1;
+      }
+      return runs;
+    }
+
+    private void writeRuns(int runs, int nodes) {
+      append(runs);
+      for (int k = 0; k < nodes; k++) {
+        if (continues(k)) {
+          plan[length - 3]++;
+        } else {
+          append(1);
+          append(source[k]);
+          append(index[k]);
+        }
+      }
+    }
+
+    private void writeLinks(int nodes) {
+      append(StreamPlan.LINKS);
+      int outside = 0;
+      for (int k = 0; k < nodes; k++) {
+        append(source[k] == 0 ? index[k] : 0);
+        outside += source[k] == 0 ? 0 : 1;
+      }
+      append(outside);
+      for (int k = 0; k < nodes; k++) {
+        if (source[k] != 0) {
+          append(k);
+          append(source[k]);
+          append(index[k]);
+        }
+      }
     }
 
     private void append(int number) {

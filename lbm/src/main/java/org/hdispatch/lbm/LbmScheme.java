@@ -90,8 +90,8 @@ public final class LbmScheme implements Scheme<NodalBundle, LbmScheme.Scratch> {
           double f =
               equilibrium.deviation(set, i, state.density, state.ux, state.uy, state.uz)
                   + set.weight(i) * 3 * along / 2;
-          bundle.populations(0, i)[node] = f;
-          bundle.populations(1, i)[node] = f;
+          bundle.populations(0)[i * bundle.stride() + node] = f;
+          bundle.populations(1)[i * bundle.stride() + node] = f;
         }
       }
     }
@@ -125,13 +125,14 @@ public final class LbmScheme implements Scheme<NodalBundle, LbmScheme.Scratch> {
   private void streamCollide(NodalBundle bundle, Scratch scratch, Tick tick) {
     StreamPlan plan = bundle.plan();
     double[][] rows = scratch.populations;
+    double[] current = bundle.populations(tick.current());
     int at = 0;
     for (int first = 0; first < bundle.nodes(); first += StreamPlan.CHUNK) {
       int n = Math.min(StreamPlan.CHUNK, bundle.nodes() - first);
-      at = plan.gather(tick.previous(), at, rows);
+      at = plan.gather(tick.previous(), at, n, rows);
       collision.collide(rows, scratch.moments, n);
       for (int i = 0; i < rows.length; i++) {
-        System.arraycopy(rows[i], 0, bundle.populations(tick.current(), i), first, n);
+        System.arraycopy(rows[i], 0, current, i * bundle.stride() + first, n);
       }
     }
   }
@@ -168,13 +169,14 @@ public final class LbmScheme implements Scheme<NodalBundle, LbmScheme.Scratch> {
    */
   public void forEachNode(NodalBundle bundle, Scratch scratch, Tick tick, NodeVisitor visitor) {
     MomentRows m = scratch.moments;
+    double[][] rows = scratch.populations;
     for (int first = 0; first < bundle.nodes(); first += StreamPlan.CHUNK) {
       int n = Math.min(StreamPlan.CHUNK, bundle.nodes() - first);
       for (int i = 0; i < set.size(); i++) {
         System.arraycopy(
-            bundle.populations(tick.previous(), i), first, scratch.populations[i], 0, n);
+            bundle.populations(tick.previous()), i * bundle.stride() + first, rows[i], 0, n);
       }
-      m.sum(set, scratch.populations, n);
+      m.sum(set, rows, n);
       m.addToMomentum(-force.x() / 2, -force.y() / 2, -force.z() / 2, n);
       for (int k = 0; k < n; k++) {
         int node = first + k;

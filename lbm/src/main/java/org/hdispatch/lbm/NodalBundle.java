@@ -5,7 +5,8 @@ package org.hdispatch.lbm;
  * copies of their populations.
  *
  * <p>Only fluid nodes are stored, x fastest, then y, then z; in a bundle without solid nodes that
- * is the plain order {@code x + nx (y + ny z)}. Shape: {@code populations[copy][velocity][node]}.
+ * is the plain order {@code x + nx (y + ny z)}. Shape of a copy: {@code [velocity][node]}, flat,
+ * with {@link #stride} numbers from one velocity to the next.
  */
 public final class NodalBundle {
   private final long key;
@@ -15,7 +16,8 @@ public final class NodalBundle {
   private final int nx;
   private final int ny;
   private final int[] positions;
-  private final double[][][] populations;
+  private final double[][] populations;
+  private final int stride;
   private StreamPlan plan;
 
   /**
@@ -31,16 +33,19 @@ public final class NodalBundle {
     this.nx = nx;
     this.ny = ny;
     this.positions = positions;
-    populations = new double[2][set.size()][paddedLength(positions.length)];
+    stride = paddedLength(positions.length);
+    populations = new double[2][Math.multiplyExact(set.size(), stride)];
   }
 
   /**
-   * Length of a row that keeps consecutive rows from starting at the same place of a 4 KiB page:
-   * rows that do compete for the same cache sets (a third of the speed at 16³, 32³, 64³ nodes).
+   * Length of a row, lengthened so that one row does not start at the same place of a 4 KiB page as
+   * the next: rows that do compete for the same cache sets (16³, 32³ and 64³ nodes are the traps).
    */
   static int paddedLength(int nodes) {
-    int stride = (nodes * Double.BYTES + 16) % 4096; // 16: header of a Java array
-    int missing = stride < 200 ? 200 - stride : stride > 3896 ? 4096 + 200 - stride : 0;
+    int least = 200; // bytes
+    int page = 4096;
+    int place = nodes * Double.BYTES % page;
+    int missing = place < least ? least - place : place > page - least ? page + least - place : 0;
     return nodes + (missing + Double.BYTES - 1) / Double.BYTES;
   }
 
@@ -78,13 +83,18 @@ public final class NodalBundle {
   }
 
   /**
-   * Populations of one velocity, less its weight, after collision.
+   * Populations less their weights, after collision. That of velocity i at a node stands at {@code
+   * i stride + node}.
    *
    * @param copy {@link org.hdispatch.dispatch.Tick#previous} or {@code current}
-   * @param velocity number of the velocity
-   * @return the row itself; it may be longer than {@link #nodes}
+   * @return the array itself
    */
-  public double[] populations(int copy, int velocity) {
-    return populations[copy][velocity];
+  public double[] populations(int copy) {
+    return populations[copy];
+  }
+
+  /** Numbers from one velocity to the next in {@link #populations}; at least {@link #nodes}. */
+  public int stride() {
+    return stride;
   }
 }
