@@ -10,7 +10,7 @@ import java.util.Arrays;
  * <ul>
  *   <li>The decay of its changes, extrapolated. With D1 the range of k over the last eighth of the
  *       steps and D2 that over the eighth before, the changes shrink by r = D1/D2 each time, and D1
- *       r/(1 - r) remains to come. r below 1/2 counts as 1/2, so that a lucky pause is not taken
+ *       r/(1 - r) remains to come. r below 2/3 counts as 2/3, so that a lucky pause is not taken
  *       for the end.
  *   <li>The imbalance of the fluxes through the sections of the rock, which shows what the decay
  *       cannot: that pressure is still on its way.
@@ -18,7 +18,7 @@ import java.util.Arrays;
  */
 final class ErrorOfSteadyState {
   private static final int LEAST_WINDOW = 2;
-  private static final double LEAST_RATIO = 0.5;
+  private static final double LEAST_RATIO = 2.0 / 3;
 
   private double[] values = new double[64];
   private int count;

@@ -2,6 +2,7 @@ package org.hdispatch.porous.flow;
 
 import org.hdispatch.cell.Ends;
 import org.hdispatch.lbm.Lattice;
+import org.hdispatch.porous.darcy.Darcy;
 import org.hdispatch.porous.image.Axis;
 import org.hdispatch.porous.pore.PoreSpace;
 
@@ -13,6 +14,7 @@ final class FlowDomain {
   private final PoreSpace rock;
   private final Axis axis;
   private final int layers;
+  private final boolean walled;
   private final Lattice lattice;
   private final double hydraulicDiameter;
 
@@ -26,6 +28,7 @@ final class FlowDomain {
     this.rock = rock;
     axis = options.axis();
     layers = options.layers();
+    walled = options.sides() == Sides.WALL;
     Ends sides = options.sides().ends();
     lattice =
         new Lattice(
@@ -117,6 +120,18 @@ final class FlowDomain {
   /** Cross-section of the rock box, voxels². */
   int crossSection() {
     return voxels() / length();
+  }
+
+  /** Permeability of the empty cross-section between the side walls, voxel². */
+  double slabPermeability() {
+    if (walled) {
+      return switch (axis) {
+        case X -> Darcy.ductPermeability(rock.ny(), rock.nz());
+        case Y -> Darcy.ductPermeability(rock.nx(), rock.nz());
+        case Z -> Darcy.ductPermeability(rock.nx(), rock.ny());
+      };
+    }
+    return Double.POSITIVE_INFINITY;
   }
 
   /** 4 volume / surface of the rock's pores, voxels. */

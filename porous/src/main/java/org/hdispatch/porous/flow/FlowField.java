@@ -11,10 +11,11 @@ import org.hdispatch.porous.image.Axis;
  * <p>Shape of all arrays: flat, x fastest, one value a voxel, 0 in solid voxels.
  *
  * <ul>
- *   <li>{@code velocity}: u nu / g in voxel²; its mean along the flow over the rock box, times L/(L
- *       + 2 B), is the permeability. Physical: u = velocity edge² (dp/dx)/mu.
- *   <li>{@code pressure}: (p - p_inlet)/(rho g) in voxels; it falls along the flow. Physical: p =
- *       pressure edge (dp/dx).
+ *   <li>{@code velocity}: u nu / G in voxel², where rho G is the pressure drop over the rock per
+ *       length; its mean along the flow over the rock box is the permeability. Physical: u =
+ *       velocity edge² (dp/dx)/mu.
+ *   <li>{@code pressure}: p / (rho G) in voxels, from 0 at the inlet to about -L at the outlet.
+ *       Physical: p = pressure edge (dp/dx).
  * </ul>
  */
 public final class FlowField {
@@ -32,10 +33,16 @@ public final class FlowField {
     pressure = new float[domain.voxels()];
   }
 
-  /** Reads the field from the populations of a scheme. */
-  static FlowField of(FlowDomain domain, LbmScheme flow, Tick clock, double force) {
+  /**
+   * Reads the field from the populations of a scheme.
+   *
+   * @param force body force g along the flow
+   * @param drive pressure drop over the rock per length and density, G
+   */
+  static FlowField of(FlowDomain domain, LbmScheme flow, Tick clock, double force, double drive) {
     FlowField field = new FlowField(domain);
-    double scale = flow.relaxation().viscosity() / force;
+    double scale = flow.relaxation().viscosity() / drive;
+    double fall = force / drive;
     flow.forEachNode(
         clock,
         (x, y, z, density, ux, uy, uz) ->
@@ -45,19 +52,20 @@ public final class FlowField {
                 y - domain.offset(Axis.Y),
                 z - domain.offset(Axis.Z),
                 new double[] {ux * scale, uy * scale, uz * scale},
-                (density - 1) / (3 * force)));
+                (density - 1) / (3 * drive),
+                fall));
     return field;
   }
 
-  /** Density gives the pressure beside the linear fall that the force stands for. */
-  private void put(FlowDomain domain, int x, int y, int z, double[] u, double p) {
+  /** Density gives the pressure beside the linear fall for which the force stands. */
+  private void put(FlowDomain domain, int x, int y, int z, double[] u, double p, double fall) {
     int along = domain.axis().length(x, y, z);
     if (along >= 0 && along < domain.length()) {
       int voxel = domain.rock().index(x, y, z);
       for (int c = 0; c < 3; c++) {
         velocity[c][voxel] = (float) u[c];
       }
-      pressure[voxel] = (float) (p - (along + 0.5));
+      pressure[voxel] = (float) (p - fall * (along + 0.5));
     }
   }
 

@@ -180,7 +180,12 @@ public final class LbmFlow {
           warmUpSteps,
           loop.stats(),
           seconds(),
-          Optional.of(FlowField.of(domain, scheme, loop.tick(), force)));
+          Optional.of(FlowField.of(domain, scheme, loop.tick(), force, drive())));
+    }
+
+    /** Pressure drop over the rock per length and density, nu q / k. */
+    private double drive() {
+      return scheme.relaxation().viscosity() * flux.superficialVelocity() / permeability;
     }
 
     private long steps() {
@@ -199,7 +204,8 @@ public final class LbmFlow {
               flux.superficialVelocity(),
               force,
               domain.length(),
-              domain.layers());
+              domain.layers(),
+              domain.slabPermeability());
       if (!Double.isFinite(permeability)) {
         throw new DivergedException(steps(), relaxationTime);
       }

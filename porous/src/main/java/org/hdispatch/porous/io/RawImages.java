@@ -57,17 +57,13 @@ public final class RawImages {
       throws ImageFileException {
     VoxelBox whole = VoxelBox.whole(nx, ny, nz);
     box.within(nx, ny, nz);
-    long length = ImageFiles.requireReadable(file);
+    requireLength(file, nx, ny, nz);
+    VoxelImage.requireFits(box.nx(), box.ny(), box.nz());
     try {
       byte[] labels;
       if (isGzip(file)) {
-        VoxelImage.requireFits(box.nx(), box.ny(), box.nz());
         labels = inflate(file, whole, box);
       } else {
-        if (length != whole.voxels()) {
-          throw wrongLength("file length", file, Long.toString(length), whole);
-        }
-        VoxelImage.requireFits(box.nx(), box.ny(), box.nz());
         try (FileChannel channel = FileChannel.open(file, StandardOpenOption.READ)) {
           labels = FlatRows.read(channel, 0, nx, ny, box, LabelType.UINT8);
         }
@@ -77,6 +73,26 @@ public final class RawImages {
       throw e;
     } catch (IOException e) {
       throw ImageFiles.unreadable(file, e);
+    }
+  }
+
+  /**
+   * Checks the length of a file against the size of its image, as far as that is possible without
+   * reading it: not for gzipped files.
+   *
+   * @param file the file
+   * @param nx voxels along x
+   * @param ny voxels along y
+   * @param nz voxels along z
+   * @throws ImageFileException if the file is missing, a directory, empty or unreadable, or not
+   *     gzipped and of another length
+   * @throws IllegalArgumentException if a dimension is below 1
+   */
+  public static void requireLength(Path file, int nx, int ny, int nz) throws ImageFileException {
+    VoxelBox whole = VoxelBox.whole(nx, ny, nz);
+    long length = ImageFiles.requireReadable(file);
+    if (!isGzip(file) && length != whole.voxels()) {
+      throw wrongLength("file length", file, Long.toString(length), whole);
     }
   }
 

@@ -1,0 +1,189 @@
+package org.hdispatch.lbm;
+
+import static org.junit.jupiter.api.Assertions.assertArrayEquals;
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertThrows;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Random;
+import org.hdispatch.cell.CellKey;
+import org.hdispatch.cell.Ends;
+import org.hdispatch.dispatch.Dispatcher;
+import org.hdispatch.dispatch.Handout;
+import org.hdispatch.dispatch.ScratchLifetime;
+import org.hdispatch.dispatch.TimeLoop;
+import org.hdispatch.gc.GcReport;
+import org.hdispatch.gc.GcWatch;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.EnumSource;
+
+class LbmSchemeTest {
+  private static final int NX = 23;
+  private static final int NY = 11;
+  private static final int NZ = 14;
+
+  /** Two thirds fluid, at random, periodic along x. */
+  private static Lattice rubble() {
+    boolean[] fluid = new boolean[NX * NY * NZ];
+    Random random = new Random(1992);
+    for (int n = 0; n < fluid.length; n++) {
+      fluid[n] = random.nextInt(3) > 0;
+    }
+    return new Lattice(
+        NX,
+        NY,
+        NZ,
+        Ends.PERIODIC,
+        Ends.OPEN,
+        Ends.PERIODIC,
+        (x, y, z) -> fluid[x + NX * (y + NY * z)]);
+  }
+
+  private static LbmScheme.Builder flow(VelocitySet set, Equilibrium form) {
+    return LbmScheme.on(rubble())
+        .velocitySet(set)
+        .equilibrium(form)
+        .relaxation(Relaxation.trt(0.7))
+        .force(new BodyForce(1e-4, -2e-5, 3e-5));
+  }
+
+  /** State of every node by its place, whatever the bundles. */
+  private static double[] run(
+      LbmScheme scheme, int workers, Handout handout, ScratchLifetime lifetime) {
+    try (Dispatcher dispatcher = Dispatcher.builder().workers(workers).handout(handout).build()) {
+      TimeLoop loop = dispatcher.loop(scheme, lifetime);
+      loop.run(41);
+      double[] state = new double[4 * NX * NY * NZ];
+      scheme.forEachNode(
+          loop.tick(),
+          (x, y, z, density, ux, uy, uz) -> {
+            int at = 4 * (x + NX * (y + NY * z));
+            state[at] = density;
+            state[at + 1] = ux;
+            state[at + 2] = uy;
+            state[at + 3] = uz;
+          });
+      return state;
+    }
+  }
+
+  @ParameterizedTest
+  @EnumSource(Equilibrium.class)
+  void sameBitsForAnyWorkersHandoutScratchAndBundleSize(Equilibrium form) {
+    for (VelocitySet set : VelocitySet.values()) {
+      double[] reference = run(flow(set, form).build(), 1, Handout.PULL, ScratchLifetime.ENDURING);
+      for (int workers : new int[] {2, 3, 5}) {
+        for (Handout handout : Handout.values()) {
+          LbmScheme small = flow(set, form).bundleSize(BundleSize.cube(5)).build();
+          assertArrayEquals(reference, run(small, workers, handout, ScratchLifetime.ENDURING));
+        }
+      }
+      LbmScheme rows = flow(set, form).bundleSize(new BundleSize(64, 1, 3)).build();
+      assertArrayEquals(reference, run(rows, 2, Handout.PULL, ScratchLifetime.PER_CELL));
+      LbmScheme columns = flow(set, form).bundleSize(new BundleSize(1, 4, 2)).build();
+      assertArrayEquals(reference, run(columns, 2, Handout.PULL, ScratchLifetime.PER_STEP));
+    }
+  }
+
+  @ParameterizedTest
+  @EnumSource(Equilibrium.class)
+  void conservesMassUnderAForce(Equilibrium form) {
+    LbmScheme scheme = flow(VelocitySet.D3Q19, form).build();
+    try (Dispatcher dispatcher = Dispatcher.withWorkers(2)) {
+      TimeLoop loop = dispatcher.loop(scheme);
+      loop.run(500);
+      double mass = Flows.sum(scheme, loop, u -> u[3]);
+      assertEquals(1, mass / scheme.nodes(), 1e-14);
+    }
+  }
+
+  /** Without walls the fluid falls freely: u = g t, half the force accounted for. */
+  @ParameterizedTest
+  @EnumSource(Equilibrium.class)
+  void freeFluidFallsLikeAStone(Equilibrium form) {
+    Lattice box = Lattice.empty(4, 3, 5, Ends.PERIODIC, Ends.PERIODIC, Ends.PERIODIC);
+    BodyForce g = new BodyForce(1e-5, -2e-5, 4e-5);
+    LbmScheme scheme = LbmScheme.on(box).equilibrium(form).force(g).build();
+    try (Dispatcher dispatcher = Dispatcher.withWorkers(1)) {
+      TimeLoop loop = dispatcher.loop(scheme);
+      for (int steps : new int[] {0, 1, 2, 100}) {
+        loop.run(steps - loop.tick().step());
+        scheme.forEachNode(
+            loop.tick(),
+            (x, y, z, density, ux, uy, uz) -> {
+              assertEquals(steps * g.x(), ux, 1e-15);
+              assertEquals(steps * g.y(), uy, 1e-15);
+              assertEquals(steps * g.z(), uz, 1e-15);
+              assertEquals(1, density, 1e-14);
+            });
+      }
+    }
+  }
+
+  @Test
+  void makesNoBundleOfSolidNodesOnly() {
+    Lattice half =
+        new Lattice(16, 16, 16, Ends.OPEN, Ends.OPEN, Ends.OPEN, (x, y, z) -> x < 4 && y == 9);
+    LbmScheme scheme = LbmScheme.on(half).bundleSize(BundleSize.cube(4)).build();
+    assertEquals(4, scheme.cells().size());
+    assertEquals(4 * 16, scheme.nodes());
+    for (int n = 0; n < 4; n++) {
+      assertEquals(0, CellKey.i(scheme.cells().keyAt(n)));
+      assertEquals(2, CellKey.j(scheme.cells().keyAt(n)));
+    }
+  }
+
+  @Test
+  void bundlesKnowWhereTheirNodesLie() {
+    LbmScheme scheme = LbmScheme.on(rubble()).bundleSize(new BundleSize(7, 4, 5)).build();
+    Lattice lattice = rubble();
+    List<Integer> seen = new ArrayList<>();
+    for (int n = 0; n < scheme.cells().size(); n++) {
+      NodalBundle bundle = scheme.cells().cellAt(n);
+      assertTrue(bundle.stride() >= bundle.nodes());
+      for (int node = 0; node < bundle.nodes(); node++) {
+        assertTrue(lattice.fluid(bundle.x(node), bundle.y(node), bundle.z(node)));
+        seen.add(bundle.x(node) + NX * (bundle.y(node) + NY * bundle.z(node)));
+      }
+    }
+    assertEquals(scheme.nodes(), seen.stream().distinct().count());
+    assertEquals(scheme.nodes(), seen.size());
+  }
+
+  @ParameterizedTest
+  @EnumSource(Equilibrium.class)
+  void tenThousandStepsAllocateNothingAndCollectNothing(Equilibrium form) {
+    LbmScheme scheme = flow(VelocitySet.D3Q19, form).bundleSize(BundleSize.cube(6)).build();
+    try (Dispatcher dispatcher = Dispatcher.withWorkers(2);
+        GcWatch watch = GcWatch.start()) {
+      TimeLoop loop = dispatcher.loop(scheme);
+      for (int warmUp = 0; warmUp < 10; warmUp++) {
+        loop.run(300);
+      }
+      loop.resetStats();
+      watch.mark();
+      loop.run(10_000);
+      GcReport after = watch.stop().get(1);
+      loop.stats().workers().forEach(worker -> assertEquals(0, worker.allocatedBytes()));
+      assertEquals(0, after.collections());
+    }
+  }
+
+  @Test
+  void paddedRowsStartAtDifferentPlacesOfAPage() {
+    for (int nodes = 1; nodes < 5_000; nodes++) {
+      int place = NodalBundle.paddedLength(nodes) * Double.BYTES % 4096;
+      assertTrue(place >= 200 && place <= 4096 - 200, "nodes=" + nodes + ", place=" + place);
+    }
+  }
+
+  @Test
+  void refusesBundlesWithoutNodesAndForcesThatAreNotFinite() {
+    assertThrows(IllegalArgumentException.class, () -> new BundleSize(4, 0, 4));
+    assertThrows(IllegalArgumentException.class, () -> BundleSize.cube(1 << 10));
+    assertThrows(IllegalArgumentException.class, () -> new BodyForce(Double.NaN, 0, 0));
+  }
+}

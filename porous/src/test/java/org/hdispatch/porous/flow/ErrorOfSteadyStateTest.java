@@ -1,0 +1,87 @@
+package org.hdispatch.porous.flow;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import java.util.function.IntToDoubleFunction;
+import org.junit.jupiter.api.Test;
+
+class ErrorOfSteadyStateTest {
+  @Test
+  void knowsNothingBeforeFiveSamples() {
+    ErrorOfSteadyState error = new ErrorOfSteadyState();
+    assertEquals(Double.POSITIVE_INFINITY, error.lastChange());
+    for (int n = 0; n < 4; n++) {
+      error.add(1 + Math.pow(0.1, n), 0);
+      assertEquals(Double.POSITIVE_INFINITY, error.estimate());
+    }
+    error.add(1.00001, 0);
+    assertTrue(Double.isFinite(error.estimate()));
+  }
+
+  @Test
+  void isNeverBelowTheTrueErrorOfOneDecay() {
+    for (double rate : new double[] {0.002, 0.01, 0.05, 0.3, 2}) {
+      assertBounds(n -> 1 + 0.7 * Math.exp(-rate * n), 1, 400);
+      assertBounds(n -> 1 - 0.7 * Math.exp(-rate * n), 1, 400);
+    }
+  }
+
+  @Test
+  void isNotFarAboveTheTrueErrorOfOneDecay() {
+    ErrorOfSteadyState error = new ErrorOfSteadyState();
+    double truth = 0;
+    for (int n = 0; n < 200; n++) {
+      truth = 0.7 * Math.exp(-0.05 * n);
+      error.add(1 + truth, 0);
+    }
+    assertTrue(error.estimate() < 6 * truth, error.estimate() + " against " + truth);
+  }
+
+  @Test
+  void isNotFooledWhenASlowDecayFollowsAFastOne() {
+    assertBounds(n -> 1 + 0.02 * Math.exp(-n / 300.0) + Math.exp(-n / 5.0), 1, 3_000, 200);
+  }
+
+  @Test
+  void isNotFooledByTheTurnOfAnOvershoot() {
+    assertBounds(n -> 1 + 0.5 * Math.exp(-n / 40.0) * Math.cos(n / 15.0), 1, 800, 200);
+  }
+
+  @Test
+  void isInfiniteWhileTheChangesGrow() {
+    ErrorOfSteadyState error = new ErrorOfSteadyState();
+    for (int n = 0; n < 50; n++) {
+      error.add(Math.exp(0.1 * n), 0);
+    }
+    assertEquals(Double.POSITIVE_INFINITY, error.estimate());
+  }
+
+  @Test
+  void isNeverBelowTheImbalanceOfTheFluxes() {
+    ErrorOfSteadyState error = new ErrorOfSteadyState();
+    for (int n = 0; n < 50; n++) {
+      error.add(1, 0.03);
+    }
+    assertEquals(0.03, error.estimate());
+    assertEquals(0, error.lastChange());
+  }
+
+  private static void assertBounds(IntToDoubleFunction k, double limit, int samples) {
+    assertBounds(k, limit, samples, 0);
+  }
+
+  private static void assertBounds(IntToDoubleFunction k, double limit, int samples, int from) {
+    ErrorOfSteadyState error = new ErrorOfSteadyState();
+    for (int n = 0; n < samples; n++) {
+      double value = k.applyAsDouble(n);
+      error.add(value, 0);
+      double truth = Math.abs(value - limit) / value;
+      if (n >= from && truth > 1e-12) {
+        assertTrue(
+            error.estimate() >= 0.999 * truth,
+            "sample " + n + ": estimate " + error.estimate() + ", truth " + truth);
+      }
+    }
+  }
+}

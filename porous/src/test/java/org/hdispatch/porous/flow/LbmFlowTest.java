@@ -1,0 +1,194 @@
+package org.hdispatch.porous.flow;
+
+import static org.junit.jupiter.api.Assertions.assertArrayEquals;
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
+import static org.junit.jupiter.api.Assertions.assertThrows;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Random;
+import org.hdispatch.dispatch.Dispatcher;
+import org.hdispatch.lbm.VelocitySet;
+import org.hdispatch.porous.image.Axis;
+import org.hdispatch.porous.pore.PoreSpace;
+import org.hdispatch.porous.pore.SpherePacking;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.EnumSource;
+
+class LbmFlowTest {
+  private static SteadyFlow solve(PoreSpace space, FlowOptions options) {
+    return solve(space, options, 2);
+  }
+
+  private static SteadyFlow solve(PoreSpace space, FlowOptions options, int workers) {
+    try (Dispatcher dispatcher = Dispatcher.withWorkers(workers)) {
+      return LbmFlow.solve(dispatcher, space, options, FlowListener.NONE);
+    }
+  }
+
+  /** Overlapping boxes of pore, from a fixed seed; not symmetric in any way. */
+  private static PoreSpace maze(int nx, int ny, int nz) {
+    boolean[] pore = new boolean[nx * ny * nz];
+    Random random = new Random(2011);
+    for (int box = 0; box < 40; box++) {
+      int x0 = random.nextInt(nx);
+      int y0 = random.nextInt(ny);
+      int z0 = random.nextInt(nz);
+      for (int z = z0; z < Math.min(nz, z0 + 7); z++) {
+        for (int y = y0; y < Math.min(ny, y0 + 6); y++) {
+          for (int x = x0; x < Math.min(nx, x0 + 5); x++) {
+            pore[x + nx * (y + ny * z)] = true;
+          }
+        }
+      }
+    }
+    return PoreSpace.of(nx, ny, nz, (x, y, z) -> pore[x + nx * (y + ny * z)]);
+  }
+
+  @Test
+  void whatDoesNotSpanHasPermeabilityZero() {
+    PoreSpace twoChambers = PoreSpace.of(6, 6, 9, (x, y, z) -> z != 4);
+    SteadyFlow flow = solve(twoChambers, FlowOptions.DEFAULT);
+    assertEquals(0, flow.permeability());
+    assertFalse(flow.percolation().percolates());
+    assertTrue(flow.converged());
+    assertEquals(0, flow.steps());
+    assertTrue(flow.field().isEmpty());
+    assertEquals(8.0 / 9, flow.porosity(), 1e-15);
+  }
+
+  @ParameterizedTest
+  @EnumSource(Axis.class)
+  void openBoxWithWallsIsADuct(Axis axis) {
+    PoreSpace open = PoreSpace.of(12, 12, 12, (x, y, z) -> true);
+    SteadyFlow flow =
+        solve(open, FlowOptions.DEFAULT.withAxis(axis).withInletLayers(3).withTolerance(1e-5));
+    // Series solution 0.0351442537 W², plus the O(1/W²) error of the lattice: 1 % at W = 12.
+    assertEquals(0.0351442537 * 144, flow.permeability(), 0.012 * 0.0351442537 * 144);
+    assertTrue(flow.converged());
+    assertTrue(flow.errorEstimate() <= 1e-5);
+  }
+
+  @Test
+  void fluidWithoutAnyWallIsRefused() {
+    PoreSpace open = PoreSpace.of(8, 8, 8, (x, y, z) -> true);
+    FlowOptions periodic = FlowOptions.DEFAULT.withBoundaries(Sides.PERIODIC, Inlet.SLAB);
+    IllegalArgumentException e =
+        assertThrows(IllegalArgumentException.class, () -> solve(open, periodic));
+    assertTrue(e.getMessage().startsWith("pore space must have a wall"), e.getMessage());
+  }
+
+  @Test
+  void permeabilityTurnsWithTheRock() {
+    PoreSpace rock = maze(14, 12, 16);
+    PoreSpace turned = PoreSpace.of(16, 14, 12, (x, y, z) -> rock.isPore(y, z, x));
+    FlowOptions options = FlowOptions.DEFAULT.withTolerance(1e-3).withRelaxationTime(1);
+    SteadyFlow alongZ = solve(rock, options.withAxis(Axis.Z));
+    SteadyFlow alongX = solve(turned, options.withAxis(Axis.X));
+    assertEquals(alongZ.steps(), alongX.steps());
+    // Sums run over the nodes in another order: round-off only.
+    assertEquals(alongZ.permeability(), alongX.permeability(), 1e-11 * alongZ.permeability());
+  }
+
+  @Test
+  void sameBitsForAnyNumberOfWorkers() {
+    PoreSpace rock = maze(25, 22, 24);
+    FlowOptions options =
+        FlowOptions.DEFAULT.withTolerance(0.05).withVelocitySet(VelocitySet.D3Q15);
+    SteadyFlow one = solve(rock, options, 1);
+    for (int workers : new int[] {2, 3}) {
+      SteadyFlow many = solve(rock, options, workers);
+      assertEquals(one.permeability(), many.permeability());
+      assertEquals(one.errorEstimate(), many.errorEstimate());
+      for (Axis component : Axis.values()) {
+        assertArrayEquals(
+            one.field().orElseThrow().velocity(component),
+            many.field().orElseThrow().velocity(component));
+      }
+      assertArrayEquals(
+          one.field().orElseThrow().pressure(), many.field().orElseThrow().pressure());
+    }
+  }
+
+  @Test
+  void fieldCarriesTheFluxAndThePressureDrop() {
+    PoreSpace open = PoreSpace.of(10, 10, 20, (x, y, z) -> true);
+    SteadyFlow flow = solve(open, FlowOptions.DEFAULT.withInletLayers(2).withTolerance(1e-6));
+    FlowField field = flow.field().orElseThrow();
+    double sum = 0;
+    for (float u : field.velocity(Axis.Z)) {
+      sum += u;
+    }
+    assertEquals(flow.permeability(), sum / open.voxels(), 1e-6 * flow.permeability()); // float
+    float[] p = field.pressure();
+    // The slabs are a duct like the rock, but for the O(1/W²) error of the lattice.
+    assertEquals(-10, p[open.index(5, 5, 10)] - p[open.index(5, 5, 0)], 0.03);
+  }
+
+  @Test
+  void isolatedPoresChangeNothingButThePorosity() {
+    PoreSpace tube = PoreSpace.of(14, 14, 10, (x, y, z) -> x > 1 && x < 8 && y > 1 && y < 8);
+    PoreSpace withVug =
+        PoreSpace.of(
+            14, 14, 10, (x, y, z) -> tube.isPore(x, y, z) || x > 9 && y > 9 && z > 3 && z < 7);
+    FlowOptions options = FlowOptions.DEFAULT.withRelaxationTime(1);
+    SteadyFlow plain = solve(tube, options);
+    SteadyFlow vuggy = solve(withVug, options);
+    assertEquals(plain.permeability(), vuggy.permeability());
+    assertTrue(vuggy.porosity() > plain.porosity());
+    assertEquals(plain.porosity(), vuggy.percolation().connectedPorosity());
+    assertEquals(4 * 4 * 3, vuggy.percolation().isolatedPoreVoxels());
+  }
+
+  @Test
+  void givesUpAfterTheStepsAllowedAndSaysSo() {
+    SteadyFlow flow =
+        solve(maze(14, 12, 16), FlowOptions.DEFAULT.withTolerance(1e-9).withMaxSteps(130));
+    assertEquals(130, flow.steps());
+    assertFalse(flow.converged());
+    assertTrue(flow.permeability() > 0);
+  }
+
+  @Test
+  void listenerHearsTheStartTheWarmUpAndEveryMeasurement() {
+    List<String> heard = new ArrayList<>();
+    FlowListener listener =
+        new FlowListener() {
+          @Override
+          public void started(Start start) {
+            heard.add("start");
+            assertEquals(0.9, start.relaxationTime());
+          }
+
+          @Override
+          public void warmedUp() {
+            heard.add("warm");
+          }
+
+          @Override
+          public void progressed(Progress progress) {
+            heard.add("at " + progress.step());
+          }
+        };
+    FlowOptions options =
+        FlowOptions.DEFAULT.withMaxSteps(250).withTolerance(1e-12).withRelaxationTime(0.9);
+    try (Dispatcher dispatcher = Dispatcher.withWorkers(1)) {
+      LbmFlow.solve(dispatcher, maze(14, 12, 16), options, listener);
+    }
+    assertEquals(List.of("start", "at 50", "at 100", "at 150", "at 200", "warm", "at 250"), heard);
+  }
+
+  @Test
+  void tauIsChosenLowInTightAndHighInOpenRock() {
+    double tight = solve(maze(14, 12, 40), FlowOptions.DEFAULT).relaxationTime();
+    double open =
+        solve(
+                SpherePacking.SC.poreSpace(16, 0.125),
+                FlowOptions.DEFAULT.withBoundaries(Sides.PERIODIC, Inlet.PERIODIC))
+            .relaxationTime();
+    assertTrue(tight < 1 && open > 2, "tight " + tight + ", open " + open);
+  }
+}
