@@ -147,11 +147,14 @@ public final class Dispatcher implements AutoCloseable {
 
   /** Makes the current thread worker 0 until {@link #leave}. */
   void enter(Run run) {
+    if (closed) {
+      throw new IllegalStateException("dispatcher must be open");
+    }
     if (!running.compareAndSet(false, true)) {
       throw new IllegalStateException("dispatcher must run one loop at a time");
     }
-    active = run;
     signals.register(0, Thread.currentThread());
+    active = run;
   }
 
   void leave() {

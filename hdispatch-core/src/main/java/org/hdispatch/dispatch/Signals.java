@@ -57,13 +57,14 @@ final class Signals {
         return announced;
       }
       LockSupport.park(this);
+      Thread.interrupted(); // nobody's business; cleared, for an interrupted thread cannot park
     }
   }
 
   /** Waits, as the caller, until the pass is done. May return early: ask again. */
   void awaitFinished(PullTickets tickets) {
     for (long spin = 0; spin < spins; spin++) {
-      if (tickets.finished()) {
+      if (tickets.finished() || Thread.currentThread().isInterrupted()) {
         return;
       }
       Thread.onSpinWait();

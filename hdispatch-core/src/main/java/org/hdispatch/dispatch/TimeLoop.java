@@ -51,7 +51,7 @@ public final class TimeLoop {
    * @throws KernelException if a kernel threw
    * @throws CancellationException if {@link #cancel} was called, the caller was interrupted (its
    *     interrupt status stays set) or the dispatcher closed
-   * @throws IllegalStateException if the dispatcher is running a loop already
+   * @throws IllegalStateException if the dispatcher is running a loop already or is closed
    */
   public void run(long steps) {
     if (steps < 0) {

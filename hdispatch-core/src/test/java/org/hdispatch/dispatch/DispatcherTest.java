@@ -338,7 +338,8 @@ class DispatcherTest {
     assertTrue(
         Thread.getAllStackTraces().keySet().stream()
             .noneMatch(thread -> thread.getName().startsWith("closing")));
-    assertThrows(CancellationException.class, () -> loop.run(1));
+    assertThrows(IllegalStateException.class, () -> loop.run(1));
+    assertThrows(IllegalStateException.class, () -> dispatcher.loop(counting(cells)));
     dispatcher.close();
   }
 

@@ -3,6 +3,9 @@ package org.hdispatch.dispatch;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
 import org.hdispatch.cell.CellGrid;
 import org.hdispatch.cell.CellKey;
 import org.hdispatch.cell.CellMap;
@@ -20,6 +23,24 @@ class HeatExampleTest {
   record Block(long key, double[][] temperature) {}
 
   @Test
+  void readmeShowsThisExample() throws IOException {
+    Path root = Path.of("").toAbsolutePath();
+    while (!Files.exists(root.resolve("settings.gradle"))) {
+      root = root.getParent();
+    }
+    String readme = Files.readString(root.resolve("README.md"));
+    String source =
+        Files.readString(
+            root.resolve(
+                "hdispatch-core/src/test/java/org/hdispatch/dispatch/HeatExampleTest.java"));
+    String example =
+        source.substring(source.lastIndexOf("// [README") + 10, source.lastIndexOf("// README]"));
+    assertTrue(
+        readme.replaceAll("\\s", "").contains(example.replaceAll("\\s", "")),
+        "README.md must show the example as it is compiled here");
+  }
+
+  @Test
   void sineDecaysAtTheRateOfTheDifferenceScheme() {
     CellGrid grid = CellGrid.of(BLOCKS, BLOCKS, BLOCKS, Ends.PERIODIC);
     CellMap<Block> blocks =
@@ -32,23 +53,26 @@ class HeatExampleTest {
         block.temperature()[0][n] = Math.sin(2 * Math.PI * x / length);
       }
     }
+    long steps = 200;
+    int newest;
+    // [README
     Scheme<Block, double[]> heat =
         Scheme.of(blocks)
-            .scratch(() -> new double[(N + 2) * (N + 2) * (N + 2)])
+            .scratch(() -> new double[(N + 2) * (N + 2) * (N + 2)]) // once per enduring thread
             .pass(
                 "conduct",
                 (block, halo, tick) -> {
-                  gather(grid, blocks, block, tick.previous(), halo);
-                  conduct(halo, block.temperature()[tick.current()]);
+                  gather(grid, blocks, block, tick.previous(), halo); // anyone's previous values
+                  conduct(halo, block.temperature()[tick.current()]); // this block's current values
                 })
             .build();
-    long steps = 200;
-    int newest;
     try (Dispatcher dispatcher = Dispatcher.withWorkers(2)) {
       TimeLoop loop = dispatcher.loop(heat);
       loop.run(steps);
-      newest = loop.tick().previous();
+      System.out.println(loop.stats());
+      // README]
       assertEquals(steps, loop.stats().steps());
+      newest = loop.tick().previous();
     }
     // One step multiplies the sine by 1 - 2 R (1 - cos(2 pi / length)).
     double decay = Math.pow(1 - 2 * R * (1 - Math.cos(2 * Math.PI / length)), steps);

@@ -1,9 +1,8 @@
 package org.hdispatch.example;
 
-import org.hdispatch.cell.Ends;
-
 import org.hdispatch.cell.CellGrid;
 import org.hdispatch.cell.CellMap;
+import org.hdispatch.cell.Ends;
 import org.hdispatch.cell.KeyOrder;
 import org.hdispatch.dispatch.Dispatcher;
 import org.hdispatch.dispatch.Scheme;
