@@ -11,6 +11,9 @@ import org.hdispatch.porous.pore.PoreSpace;
  * periodic along the flow; and the sizes that time scales follow from.
  */
 final class FlowDomain {
+  private static final int LEAST_LAYERS = 4;
+  private static final int MOST_LAYERS = 64;
+
   private final PoreSpace rock;
   private final Axis axis;
   private final int layers;
@@ -27,7 +30,8 @@ final class FlowDomain {
   FlowDomain(PoreSpace rock, FlowOptions options) {
     this.rock = rock;
     axis = options.axis();
-    layers = options.layers();
+    hydraulicDiameter = PoreWidth.hydraulicDiameter(rock, options);
+    layers = layers(options, hydraulicDiameter);
     walled = options.sides() == Sides.WALL;
     Ends sides = options.sides().ends();
     lattice =
@@ -39,7 +43,19 @@ final class FlowDomain {
             axis == Axis.Y ? Ends.PERIODIC : sides,
             axis == Axis.Z ? Ends.PERIODIC : sides,
             this::fluid);
-    hydraulicDiameter = measureHydraulicDiameter();
+  }
+
+  /**
+   * Layers of fluid at each end: those asked for, or three quarters of the hydraulic diameter. From
+   * there on the slabs are a plenum of one pressure, as in a laboratory: wider ones change k by
+   * less than 1 %. Narrow ones hold the flow back that spreads in them.
+   */
+  private static int layers(FlowOptions options, double hydraulicDiameter) {
+    if (options.inlet() == Inlet.PERIODIC) {
+      return 0;
+    }
+    int fitting = (int) Math.ceil(0.75 * hydraulicDiameter);
+    return options.inletLayers().orElse(Math.max(LEAST_LAYERS, Math.min(MOST_LAYERS, fitting)));
   }
 
   /** Layers of fluid before the rock along an axis. */
@@ -52,43 +68,6 @@ final class FlowDomain {
     return inRock < 0
         || inRock >= length()
         || rock.isPore(x - offset(Axis.X), y - offset(Axis.Y), z - offset(Axis.Z));
-  }
-
-  /**
-   * 4 volume / surface of the rock's pores. A surface made of voxel faces is 3/2 times the smooth
-   * one that it stands for (mean of |n_x| + |n_y| + |n_z| over all directions).
-   */
-  private double measureHydraulicDiameter() {
-    long faces = 0;
-    for (int z = 0; z < rock.nz(); z++) {
-      for (int y = 0; y < rock.ny(); y++) {
-        for (int x = 0; x < rock.nx(); x++) {
-          if (rock.isPore(x, y, z)) {
-            faces += walls(x + offset(Axis.X), y + offset(Axis.Y), z + offset(Axis.Z));
-          }
-        }
-      }
-    }
-    if (faces == 0 && rock.poreVoxels() > 0) {
-      throw new IllegalArgumentException(
-          "pore space must have a wall, or no flow is steady: porosity="
-              + rock.porosity()
-              + ", sides and ends without a wall");
-    }
-    return 4 * rock.poreVoxels() / (faces / 1.5);
-  }
-
-  private int walls(int x, int y, int z) {
-    return wall(x - 1, y, z)
-        + wall(x + 1, y, z)
-        + wall(x, y - 1, z)
-        + wall(x, y + 1, z)
-        + wall(x, y, z - 1)
-        + wall(x, y, z + 1);
-  }
-
-  private int wall(int x, int y, int z) {
-    return lattice.fluid(x, y, z) ? 0 : 1;
   }
 
   Lattice lattice() {
@@ -115,6 +94,11 @@ final class FlowDomain {
   /** Voxels of the rock box. */
   int voxels() {
     return rock.voxels();
+  }
+
+  /** Voxels of one slab. */
+  long slabVoxels() {
+    return (long) layers * crossSection();
   }
 
   /** Cross-section of the rock box, voxels². */

@@ -2,6 +2,7 @@ package org.hdispatch.porous.flow;
 
 import java.util.Objects;
 import java.util.OptionalDouble;
+import java.util.OptionalInt;
 import org.hdispatch.lbm.VelocitySet;
 import org.hdispatch.porous.image.Axis;
 
@@ -15,7 +16,8 @@ import org.hdispatch.porous.image.Axis;
  * @param relaxationTime tau, in steps; empty to have it chosen from the pore space
  * @param sides what bounds the rock at the sides
  * @param inlet what bounds the rock at the ends
- * @param inletLayers layers of fluid at each end, if the inlet is a slab
+ * @param inletLayers layers of fluid at each end, if the inlet is a slab; empty to have them chosen
+ *     from the width of the pores
  * @param tolerance estimated relative error of k at which to stop
  * @param maxSteps steps after which to give up
  */
@@ -26,12 +28,12 @@ public record FlowOptions(
     OptionalDouble relaxationTime,
     Sides sides,
     Inlet inlet,
-    int inletLayers,
+    OptionalInt inletLayers,
     double tolerance,
     long maxSteps) {
 
-  /** Default of {@link #inletLayers}. */
-  public static final int INLET_LAYERS = 4;
+  /** Most layers of fluid at each end. */
+  private static final int MOST = 10_000;
 
   /**
    * Flow along z on D3Q19 with TRT, walls at the sides, slabs at the ends, to an estimated error of
@@ -45,7 +47,7 @@ public record FlowOptions(
           OptionalDouble.empty(),
           Sides.WALL,
           Inlet.SLAB,
-          INLET_LAYERS,
+          OptionalInt.empty(),
           1e-3,
           200_000);
 
@@ -64,9 +66,9 @@ public record FlowOptions(
     if (relaxationTime.isPresent()) {
       collision.at(relaxationTime.getAsDouble());
     }
-    if (inletLayers < 1 || inletLayers > 10_000) {
+    if (inletLayers.isPresent() && (inletLayers.getAsInt() < 1 || inletLayers.getAsInt() > MOST)) {
       throw new IllegalArgumentException(
-          "inlet layers must number 1 to 10000: layers=" + inletLayers);
+          "inlet layers must number 1 to " + MOST + ": layers=" + inletLayers.getAsInt());
     }
     if (!(tolerance > 0 && tolerance < 1)) {
       throw new IllegalArgumentException(
@@ -75,11 +77,6 @@ public record FlowOptions(
     if (maxSteps < 1) {
       throw new IllegalArgumentException("steps must number at least 1: steps=" + maxSteps);
     }
-  }
-
-  /** Layers of fluid that are really added at each end: none if the inlet is periodic. */
-  public int layers() {
-    return inlet == Inlet.SLAB ? inletLayers : 0;
   }
 
   /** A copy with another direction of flow. */
@@ -139,7 +136,15 @@ public record FlowOptions(
   /** A copy with another thickness of the slabs. */
   public FlowOptions withInletLayers(int layers) {
     return new FlowOptions(
-        axis, velocitySet, collision, relaxationTime, sides, inlet, layers, tolerance, maxSteps);
+        axis,
+        velocitySet,
+        collision,
+        relaxationTime,
+        sides,
+        inlet,
+        OptionalInt.of(layers),
+        tolerance,
+        maxSteps);
   }
 
   /** A copy with another tolerance. */

@@ -62,15 +62,16 @@ public final class LbmFlow {
 
   /**
    * Heap that a computation needs, in bytes: two copies of the populations, streaming plan, set-up
-   * and image. An estimate from above for common rock.
+   * and image. An estimate from above, for a pore space that spans as a whole.
    *
-   * @param fluidNodes fluid nodes, slabs included
-   * @param voxels voxels of the rock box and slabs
+   * @throws IllegalArgumentException if fluid is nowhere held back by a wall
    */
-  public static long estimatedBytes(VelocitySet set, long fluidNodes, long voxels) {
-    long perNode = 2L * set.size() * Double.BYTES + set.size() * 3L * Integer.BYTES + Integer.BYTES;
+  public static long estimatedBytes(PoreSpace space, FlowOptions options) {
+    int velocities = options.velocitySet().size();
+    long slabs = 2L * new FlowDomain(space, options).slabVoxels();
+    long perNode = 2L * velocities * Double.BYTES + velocities * 3L * Integer.BYTES + Integer.BYTES;
     long perVoxel = Integer.BYTES + 2;
-    return fluidNodes * perNode + voxels * perVoxel;
+    return (space.poreVoxels() + slabs) * perNode + (space.voxels() + slabs) * perVoxel;
   }
 
   private static SteadyFlow nothingSpans(
@@ -85,6 +86,7 @@ public final class LbmFlow {
         true,
         0,
         Double.NaN,
+        0,
         Double.NaN,
         0,
         0,
@@ -174,6 +176,7 @@ public final class LbmFlow {
           converged,
           steps(),
           relaxationTime,
+          domain.layers(),
           domain.hydraulicDiameter(),
           flux.highestSpeed() / Math.sqrt(VelocitySet.SOUND_SPEED_SQUARED),
           scheme.nodes(),

@@ -17,6 +17,7 @@ import org.hdispatch.porous.pore.PoreSpace;
  * @param converged whether the estimate came below the tolerance; true if nothing spans
  * @param steps steps done
  * @param relaxationTime tau used; NaN if nothing spans
+ * @param inletLayers layers of fluid at each end; 0 if the inlet is periodic or nothing spans
  * @param hydraulicDiameter 4 volume / surface of the connected pores, voxels; NaN if nothing spans
  * @param mach highest speed over the speed of sound; 0 if nothing spans
  * @param fluidNodes fluid nodes of the lattice, slabs included
@@ -35,6 +36,7 @@ public record SteadyFlow(
     boolean converged,
     long steps,
     double relaxationTime,
+    int inletLayers,
     double hydraulicDiameter,
     double mach,
     long fluidNodes,

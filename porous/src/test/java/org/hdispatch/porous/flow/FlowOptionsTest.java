@@ -27,9 +27,4 @@ class FlowOptionsTest {
     assertThrows(IllegalArgumentException.class, () -> FlowOptions.DEFAULT.withMaxSteps(0));
     assertThrows(IllegalArgumentException.class, () -> FlowOptions.DEFAULT.withInletLayers(0));
   }
-
-  @Test
-  void periodicInletHasNoLayers() {
-    assertEquals(0, FlowOptions.DEFAULT.withBoundaries(Sides.PERIODIC, Inlet.PERIODIC).layers());
-  }
 }

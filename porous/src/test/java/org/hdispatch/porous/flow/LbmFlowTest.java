@@ -182,6 +182,19 @@ class LbmFlowTest {
   }
 
   @Test
+  void slabsAreAsWideAsThePoresUnlessAskedFor() {
+    PoreSpace tube = PoreSpace.of(12, 12, 8, (x, y, z) -> x > 0 && x < 11 && y > 0 && y < 11);
+    FlowOptions options = FlowOptions.DEFAULT.withMaxSteps(1);
+    SteadyFlow flow = solve(tube, options);
+    // 10 x 10: 4 volume/surface = 10, and 3/2 of it where all faces lie along the axes.
+    assertEquals(15, flow.hydraulicDiameter(), 1e-12);
+    assertEquals(12, flow.inletLayers());
+    assertEquals(3, solve(tube, options.withInletLayers(3)).inletLayers());
+    FlowOptions periodic = options.withBoundaries(Sides.WALL, Inlet.PERIODIC);
+    assertEquals(0, solve(tube, periodic).inletLayers());
+  }
+
+  @Test
   void tauIsChosenLowInTightAndHighInOpenRock() {
     double tight = solve(maze(14, 12, 40), FlowOptions.DEFAULT).relaxationTime();
     double open =

@@ -68,6 +68,16 @@ class RawImagesTest {
   }
 
   @Test
+  void lengthIsCheckedWithoutReading() throws IOException {
+    Path file = write("small.raw", SmallImage.flat());
+    RawImages.requireLength(file, 2, 3, 4);
+    ImageFileException e =
+        assertThrows(ImageFileException.class, () -> RawImages.requireLength(file, 2, 3, 5));
+    assertTrue(e.getMessage().startsWith("file length must be nx*ny*nz"), e.getMessage());
+    RawImages.requireLength(write("small.raw.gz", SmallImage.flat()), 2, 3, 5); // not known yet
+  }
+
+  @Test
   void planesLargerThanTheBufferAreReadWhole() throws IOException {
     // 2000 x 1000 voxels a plane: two buffers of 1 MiB.
     byte[] labels = new byte[2000 * 1000 * 2];
