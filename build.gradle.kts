@@ -107,5 +107,7 @@ project(":jmh") {
         "implementation"(project(":lbm"))
         "implementation"(lib("jmh-core"))
         "annotationProcessor"(lib("jmh-generator-annprocess"))
+        "testImplementation"(lib("junit-jupiter"))
+        "testRuntimeOnly"(launcher)
     }
 }

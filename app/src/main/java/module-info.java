@@ -1,0 +1,11 @@
+/** The command line: inspect a rock image, compute its permeability. */
+module org.hdispatch.app {
+  requires info.picocli;
+  requires java.desktop;
+  requires org.hdispatch.porous;
+
+  exports org.hdispatch.app;
+
+  opens org.hdispatch.app to
+      info.picocli;
+}

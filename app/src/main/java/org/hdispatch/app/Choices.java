@@ -1,0 +1,64 @@
+package org.hdispatch.app;
+
+import java.util.Arrays;
+import java.util.Iterator;
+import java.util.Locale;
+import org.hdispatch.porous.flow.CollisionModel;
+import org.hdispatch.porous.flow.Inlet;
+import org.hdispatch.porous.flow.Sides;
+import org.hdispatch.porous.image.Axis;
+import org.hdispatch.porous.pore.SpherePacking;
+
+/** The words for the values of an enumeration: its names in lower case. */
+abstract class Choices implements Iterable<String> {
+  private final Enum<?>[] values;
+
+  Choices(Enum<?>[] values) {
+    this.values = values;
+  }
+
+  /** The word for a value. */
+  static String word(Enum<?> value) {
+    return value.name().toLowerCase(Locale.ROOT);
+  }
+
+  @Override
+  public Iterator<String> iterator() {
+    return Arrays.stream(values).map(Choices::word).iterator();
+  }
+
+  /** Words for axes. */
+  static final class OfAxis extends Choices {
+    OfAxis() {
+      super(Axis.values());
+    }
+  }
+
+  /** Words for collisions. */
+  static final class OfCollision extends Choices {
+    OfCollision() {
+      super(CollisionModel.values());
+    }
+  }
+
+  /** Words for sides. */
+  static final class OfSides extends Choices {
+    OfSides() {
+      super(Sides.values());
+    }
+  }
+
+  /** Words for inlets. */
+  static final class OfInlet extends Choices {
+    OfInlet() {
+      super(Inlet.values());
+    }
+  }
+
+  /** Words for sphere packings. */
+  static final class OfSpheres extends Choices {
+    OfSpheres() {
+      super(SpherePacking.values());
+    }
+  }
+}

@@ -1,0 +1,34 @@
+package org.hdispatch.app;
+
+/** Colours as 0xRRGGBB. */
+final class ColourMap {
+  /** Solid voxels in all pictures. */
+  static final int SOLID = 0xc8c8c8;
+
+  /** Pore voxels that span the rock along some axis. */
+  static final int PORE = 0x1f5fa8;
+
+  /** Pore voxels that do not. */
+  static final int ISOLATED = 0xe8890c;
+
+  /** Viridis (S. van der Walt, N. Smith 2015, CC0) at nine equal steps from dark to bright. */
+  private static final int[] VIRIDIS = {
+    0x440154, 0x472d7b, 0x3b528b, 0x2c728e, 0x21918c, 0x28ae80, 0x5ec962, 0xaddc30, 0xfde725
+  };
+
+  private ColourMap() {}
+
+  /** The colour of a value from 0 (dark) to 1 (bright). */
+  static int viridis(double value) {
+    double place = Math.max(0, Math.min(1, value)) * (VIRIDIS.length - 1);
+    int below = Math.min((int) place, VIRIDIS.length - 2);
+    double share = place - below;
+    int colour = 0;
+    for (int shift = 16; shift >= 0; shift -= 8) {
+      int from = VIRIDIS[below] >> shift & 0xff;
+      int to = VIRIDIS[below + 1] >> shift & 0xff;
+      colour |= (int) Math.round(from + share * (to - from)) << shift;
+    }
+    return colour;
+  }
+}

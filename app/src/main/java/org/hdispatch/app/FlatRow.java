@@ -1,0 +1,76 @@
+package org.hdispatch.app;
+
+import java.util.LinkedHashMap;
+import java.util.Map;
+import java.util.OptionalDouble;
+import java.util.StringJoiner;
+
+/**
+ * One result as keys and values in their order; a value is a string, a number, a truth value, or
+ * unknown.
+ */
+final class FlatRow {
+  private final Map<String, Object> values = new LinkedHashMap<>();
+
+  /** Adds a value; null, NaN and infinities are unknown. */
+  FlatRow put(String key, Object value) {
+    boolean unknown = value instanceof Double number && !Double.isFinite(number);
+    values.put(key, unknown ? null : value);
+    return this;
+  }
+
+  /** Adds a number that may be unknown. */
+  FlatRow put(String key, OptionalDouble value) {
+    return put(key, value.isPresent() ? (Object) value.getAsDouble() : null);
+  }
+
+  /** Adds all of these. */
+  FlatRow putAll(Map<String, ?> more) {
+    more.forEach(this::put);
+    return this;
+  }
+
+  /** One JSON object (RFC 8259); unknown is {@code null}. */
+  String toJson() {
+    StringJoiner json = new StringJoiner(",\n  ", "{\n  ", "\n}\n");
+    values.forEach((key, value) -> json.add(quoted(key) + ": " + jsonValue(value)));
+    return json.toString();
+  }
+
+  private static String jsonValue(Object value) {
+    return value == null || value instanceof Number || value instanceof Boolean
+        ? String.valueOf(value)
+        : quoted(value.toString());
+  }
+
+  private static String quoted(String text) {
+    StringBuilder json = new StringBuilder("\"");
+    for (char c : text.toCharArray()) {
+      if (c == '"' || c == '\\') {
+        json.append('\\').append(c);
+      } else if (c < ' ') {
+        json.append(String.format("\\u%04x", (int) c));
+      } else {
+        json.append(c);
+      }
+    }
+    return json.append('"').toString();
+  }
+
+  /** A header and one row (RFC 4180); unknown is an empty field. */
+  String toCsv() {
+    StringJoiner header = new StringJoiner(",", "", "\n");
+    StringJoiner row = new StringJoiner(",", "", "\n");
+    values.forEach(
+        (key, value) -> {
+          header.add(key);
+          row.add(value == null ? "" : field(value.toString()));
+        });
+    return header.toString() + row;
+  }
+
+  private static String field(String text) {
+    boolean plain = text.chars().noneMatch(c -> c == ',' || c == '"' || c == '\n' || c == '\r');
+    return plain ? text : '"' + text.replace("\"", "\"\"") + '"';
+  }
+}

@@ -1,0 +1,102 @@
+package org.hdispatch.app;
+
+import java.util.OptionalDouble;
+import java.util.OptionalInt;
+import org.hdispatch.lbm.VelocitySet;
+import org.hdispatch.porous.flow.CollisionModel;
+import org.hdispatch.porous.flow.FlowOptions;
+import org.hdispatch.porous.flow.Inlet;
+import org.hdispatch.porous.flow.Sides;
+import org.hdispatch.porous.image.Axis;
+import picocli.CommandLine.Option;
+
+/** How the flow is computed. */
+final class FlowSettings {
+  @Option(
+      names = "--axis",
+      paramLabel = "AXIS",
+      defaultValue = "z",
+      completionCandidates = Choices.OfAxis.class,
+      description = "Direction of the flow: ${COMPLETION-CANDIDATES}.")
+  private Axis axis;
+
+  @Option(
+      names = "--tolerance",
+      paramLabel = "E",
+      description = "Estimated relative error of k at which to stop.")
+  private double tolerance = FlowOptions.DEFAULT.tolerance();
+
+  @Option(
+      names = "--max-steps",
+      paramLabel = "N",
+      description = "Steps after which to give up (exit code 4).")
+  private long maxSteps = FlowOptions.DEFAULT.maxSteps();
+
+  @Option(
+      names = "--lattice",
+      paramLabel = "LATTICE",
+      description = "Velocity set: ${COMPLETION-CANDIDATES}.")
+  private VelocitySet lattice = FlowOptions.DEFAULT.velocitySet();
+
+  @Option(
+      names = "--collision",
+      paramLabel = "MODEL",
+      defaultValue = "trt",
+      completionCandidates = Choices.OfCollision.class,
+      description = "Collision: ${COMPLETION-CANDIDATES}. With trt, k does not depend on tau.")
+  private CollisionModel collision;
+
+  @Option(
+      names = "--tau",
+      paramLabel = "T",
+      description =
+          "Relaxation time, steps; above 0.5. It sets how many steps it takes."
+              + " Default: chosen from the pore space.")
+  private Double tau;
+
+  @Option(
+      names = "--sides",
+      paramLabel = "SIDES",
+      defaultValue = "wall",
+      completionCandidates = Choices.OfSides.class,
+      description = "The four sides along the flow: ${COMPLETION-CANDIDATES} (spheres: periodic).")
+  private Sides sides;
+
+  @Option(
+      names = "--inlet",
+      paramLabel = "INLET",
+      defaultValue = "slab",
+      completionCandidates = Choices.OfInlet.class,
+      description =
+          "The two ends of the flow: ${COMPLETION-CANDIDATES} (spheres: periodic)."
+              + " A slab is layers of fluid between the rock and its periodic image.")
+  private Inlet inlet;
+
+  @Option(
+      names = "--inlet-layers",
+      paramLabel = "B",
+      description =
+          "Layers of fluid at each end, if --inlet is slab. Default: three quarters of the pores'"
+              + " hydraulic diameter, from where on k hardly depends on it.")
+  private Integer inletLayers;
+
+  /**
+   * The settings for an image.
+   *
+   * @throws UsageException if one is out of its bounds
+   */
+  FlowOptions options() {
+    return UsageException.orRefused(
+        () ->
+            new FlowOptions(
+                axis,
+                lattice,
+                collision,
+                tau == null ? OptionalDouble.empty() : OptionalDouble.of(tau),
+                sides,
+                inlet,
+                inletLayers == null ? OptionalInt.empty() : OptionalInt.of(inletLayers),
+                tolerance,
+                maxSteps));
+  }
+}

@@ -1,0 +1,30 @@
+package org.hdispatch.app;
+
+import java.util.Locale;
+
+/** The heap is too small; the message says what is needed and which -Xmx gives it. */
+final class HeapException extends RuntimeException {
+  private static final long serialVersionUID = 1L;
+
+  /** What -Xmx gives beyond the need, as collectors leave parts of regions empty. */
+  private static final double SLACK = 1.1;
+
+  private static final long ROUNDING_MIB = 64;
+  private static final double MIB = 1 << 20;
+
+  HeapException(String what, long neededBytes, long heapBytes) {
+    super(
+        String.format(
+            Locale.ROOT,
+            "heap must hold %s: needed=%.0f MiB, heap=%.0f MiB"
+                + " (give java -Xmx%dm, or HDISPATCH_JAVA_OPTS=-Xmx%<dm)",
+            what,
+            neededBytes / MIB,
+            heapBytes / MIB,
+            megabytesToGive(neededBytes)));
+  }
+
+  private static long megabytesToGive(long neededBytes) {
+    return (long) Math.ceil(neededBytes / MIB * SLACK / ROUNDING_MIB) * ROUNDING_MIB;
+  }
+}

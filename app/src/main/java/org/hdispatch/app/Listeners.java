@@ -1,0 +1,22 @@
+package org.hdispatch.app;
+
+import java.util.List;
+import org.hdispatch.porous.flow.FlowListener;
+
+/** Several listeners as one; all hear everything, in their order. */
+record Listeners(List<FlowListener> all) implements FlowListener {
+  @Override
+  public void started(Start start) {
+    all.forEach(each -> each.started(start));
+  }
+
+  @Override
+  public void warmedUp() {
+    all.forEach(FlowListener::warmedUp);
+  }
+
+  @Override
+  public void progressed(Progress progress) {
+    all.forEach(each -> each.progressed(progress));
+  }
+}

@@ -1,0 +1,64 @@
+package org.hdispatch.app;
+
+import java.util.Optional;
+import java.util.OptionalDouble;
+import org.hdispatch.porous.darcy.Permeability;
+import org.hdispatch.porous.darcy.PhysicalFlow;
+import org.hdispatch.porous.flow.FlowOptions;
+import org.hdispatch.porous.flow.SteadyFlow;
+
+/**
+ * A computed permeability and all that belongs to it.
+ *
+ * @param rock the rock
+ * @param fluid fluid and drive
+ * @param flow the flow, in voxel units
+ * @param threads workers
+ * @param collector what the collector did; empty if that could not be read
+ */
+record Outcome(
+    Rock rock,
+    PhysicalFlow fluid,
+    SteadyFlow flow,
+    int threads,
+    Optional<CollectorWatch.Figures> collector) {
+
+  FlowOptions options() {
+    return flow.options();
+  }
+
+  Permeability permeability() {
+    return new Permeability(flow.permeability(), rock.voxelEdge());
+  }
+
+  boolean percolates() {
+    return flow.percolation().percolates();
+  }
+
+  double connectedPorosity() {
+    return flow.percolation().connectedPorosity();
+  }
+
+  /** Superficial (Darcy) velocity, m/s, if the voxel edge is known. */
+  OptionalDouble superficialVelocity() {
+    return fluid.superficialVelocity(permeability());
+  }
+
+  /** Mean velocity within the connected pores, m/s, if the voxel edge is known. */
+  OptionalDouble poreVelocity() {
+    OptionalDouble q = superficialVelocity();
+    return q.isEmpty() || !percolates()
+        ? q
+        : OptionalDouble.of(q.getAsDouble() / connectedPorosity());
+  }
+
+  /** Reynolds number of the pore velocity and the hydraulic diameter, if the edge is known. */
+  OptionalDouble reynolds() {
+    OptionalDouble u = poreVelocity();
+    if (u.isEmpty() || !percolates()) {
+      return u;
+    }
+    double diameter = flow.hydraulicDiameter() * rock.voxelEdge().getAsDouble();
+    return OptionalDouble.of(fluid.reynolds(u.getAsDouble(), diameter));
+  }
+}

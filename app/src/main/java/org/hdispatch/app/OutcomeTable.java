@@ -1,0 +1,181 @@
+package org.hdispatch.app;
+
+import java.util.Locale;
+import java.util.OptionalDouble;
+import org.hdispatch.gc.GcWatch;
+import org.hdispatch.porous.darcy.Permeability;
+import org.hdispatch.porous.flow.FlowOptions;
+import org.hdispatch.porous.flow.SteadyFlow;
+import org.hdispatch.porous.pore.PoreSpace;
+
+/** A permeability as a table for people. */
+final class OutcomeTable {
+  private static final int DIGITS = 5;
+  private static final int FEW = 3;
+
+  private OutcomeTable() {}
+
+  static String of(Outcome outcome) {
+    Table table = new Table();
+    rock(table, outcome);
+    permeability(table, outcome);
+    flow(table, outcome);
+    computation(table, outcome);
+    collector(table, outcome);
+    String cite = "cite";
+    for (String line : outcome.rock().citation()) {
+      table.line(cite, line);
+      cite = "";
+    }
+    return table.toString();
+  }
+
+  private static void rock(Table table, Outcome outcome) {
+    PoreSpace space = outcome.rock().space();
+    OptionalDouble edge = outcome.rock().voxelEdge();
+    String axis = Choices.word(outcome.options().axis());
+    table
+        .line("rock", outcome.rock().name())
+        .line(
+            "size",
+            String.format("%d x %d x %d voxels", space.nx(), space.ny(), space.nz())
+                + (edge.isPresent() ? " of " + edge.getAsDouble() + " m" : ", edge unknown"))
+        .line(
+            "porosity",
+            Numbers.significant(outcome.flow().porosity(), DIGITS)
+                + ", connected along "
+                + axis
+                + " "
+                + Numbers.significant(outcome.connectedPorosity(), DIGITS))
+        .line(
+            "percolates",
+            outcome.percolates() ? "yes, along " + axis : "NO, nothing spans " + axis + ": k = 0");
+  }
+
+  private static void permeability(Table table, Outcome outcome) {
+    SteadyFlow flow = outcome.flow();
+    Permeability k = outcome.permeability();
+    String voxel2 = Numbers.significant(k.voxel2(), DIGITS) + " voxel2";
+    table.line(
+        "permeability",
+        k.milliDarcy().isPresent()
+            ? Numbers.significant(k.milliDarcy().getAsDouble(), DIGITS)
+                + " mD = "
+                + Numbers.significant(k.squareMetres().getAsDouble(), DIGITS)
+                + " m2 = "
+                + voxel2
+            : voxel2 + " (mD and m2 need --voxel-edge)");
+    if (outcome.percolates()) {
+      table.line(
+          "error estimate",
+          Numbers.percent(flow.errorEstimate())
+              + (flow.converged() ? "" : " NOT CONVERGED")
+              + " (tolerance "
+              + Numbers.percent(outcome.options().tolerance())
+              + ", last change "
+              + Numbers.percent(flow.changeAtStop())
+              + ")");
+    }
+  }
+
+  private static void flow(Table table, Outcome outcome) {
+    FlowOptions options = outcome.options();
+    int layers = outcome.flow().inletLayers();
+    String chosen = options.inletLayers().isPresent() ? " (given)" : " (chosen)";
+    table.line(
+        "boundaries",
+        "sides "
+            + Choices.word(options.sides())
+            + ", inlet and outlet "
+            + Choices.word(options.inlet())
+            + (layers > 0 ? " of " + layers + " layers" + chosen : ""));
+    if (outcome.superficialVelocity().isEmpty()) {
+      return;
+    }
+    table
+        .line(
+            "velocity",
+            Numbers.significant(outcome.superficialVelocity().getAsDouble(), FEW)
+                + " m/s superficial, "
+                + Numbers.significant(outcome.poreVelocity().getAsDouble(), FEW)
+                + " m/s in the pores, at "
+                + Numbers.significant(outcome.fluid().pressureGradient(), DIGITS)
+                + " Pa/m")
+        .line(
+            "Reynolds number",
+            Numbers.significant(outcome.reynolds().getAsDouble(), FEW)
+                + " (nu "
+                + Numbers.significant(outcome.fluid().viscosity(), FEW)
+                + " m2/s, rho "
+                + Numbers.significant(outcome.fluid().density(), FEW)
+                + " kg/m3)");
+  }
+
+  private static void computation(Table table, Outcome outcome) {
+    SteadyFlow flow = outcome.flow();
+    FlowOptions options = outcome.options();
+    String method =
+        "lattice Boltzmann, "
+            + options.velocitySet()
+            + ", "
+            + options.collision()
+            + ", linear equilibrium";
+    table.line("method", method);
+    if (!outcome.percolates()) {
+      return;
+    }
+    table
+        .line(
+            "tau",
+            Numbers.significant(flow.relaxationTime(), DIGITS)
+                + (options.relaxationTime().isPresent() ? " (given)" : " (chosen)")
+                + ", highest Mach number "
+                + Numbers.significant(flow.mach(), FEW))
+        .line(
+            "steps",
+            String.format(
+                Locale.ROOT,
+                "%d in %.2f s, %.1f MFLUPS, %d fluid nodes",
+                flow.steps(),
+                flow.secondsStepping(),
+                flow.mflups(),
+                flow.fluidNodes()));
+  }
+
+  private static void collector(Table table, Outcome outcome) {
+    SteadyFlow flow = outcome.flow();
+    table.line("threads", outcome.threads() + ", Java " + Version.ofJava());
+    if (outcome.collector().isEmpty() || flow.steps() == 0) {
+      table.line("collector", GcWatch.collector());
+      return;
+    }
+    CollectorWatch.Figures figures = outcome.collector().get();
+    CollectorWatch.Window after = figures.after();
+    table
+        .line(
+            "collector",
+            GcWatch.collector()
+                + ", "
+                + after.collections()
+                + " collections, pause "
+                + millis(after.pauseMillis())
+                + ", stopped "
+                + millis(after.stoppedMillis())
+                + ", stall "
+                + millis(after.stallMillis()))
+        .line("allocated", flow.stats().bytesPerStep() + " bytes per step (worst worker)")
+        .line(
+            "warm-up apart",
+            flow.warmUpSteps()
+                + " steps, "
+                + figures.warmUp().collections()
+                + " collections, pause "
+                + millis(figures.warmUp().pauseMillis()));
+  }
+
+  private static String millis(OptionalDouble millis) {
+    return millis.isEmpty()
+        ? "unknown"
+        : String.format(Locale.ROOT, "%.3g ms", millis.getAsDouble());
+  }
+}

@@ -1,0 +1,85 @@
+package org.hdispatch.app;
+
+import java.io.IOException;
+import java.nio.ByteBuffer;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.ArrayDeque;
+import java.util.Deque;
+import org.hdispatch.porous.io.ImageFileException;
+import org.hdispatch.porous.io.WholeFiles;
+
+/**
+ * The folder that files are written to. It is made and tried before the computation, and taken away
+ * again if nothing came into it.
+ */
+final class OutputFolder implements AutoCloseable {
+  private final Path folder;
+  private final Deque<Path> made; // innermost first
+
+  private OutputFolder(Path folder, Deque<Path> made) {
+    this.folder = folder;
+    this.made = made;
+  }
+
+  /**
+   * Makes a folder, if it is not there, and tries to write to it.
+   *
+   * @throws ImageFileException if that is not possible; nothing is left behind
+   */
+  static OutputFolder open(Path folder) throws ImageFileException {
+    if (Files.exists(folder) && !Files.isDirectory(folder)) {
+      throw new ImageFileException("output must be a folder: folder=" + folder);
+    }
+    OutputFolder opened = new OutputFolder(folder, new ArrayDeque<>());
+    try {
+      opened.makeWithParents(folder.toAbsolutePath().normalize());
+      Files.delete(Files.createTempFile(folder, ".hdispatch", ".part"));
+      return opened;
+    } catch (IOException e) {
+      opened.close();
+      throw new ImageFileException("output must be writable: folder=" + folder + ", cause=" + e, e);
+    }
+  }
+
+  private void makeWithParents(Path missing) throws IOException {
+    if (!Files.isDirectory(missing)) {
+      if (missing.getParent() != null) {
+        makeWithParents(missing.getParent());
+      }
+      Files.createDirectory(missing);
+      made.push(missing);
+      missing.toFile().deleteOnExit(); // if it is empty then: Ctrl-C may leave no time to close
+    }
+  }
+
+  /** A file in this folder. */
+  Path file(String name) {
+    return folder.resolve(name);
+  }
+
+  /** Writes a text as UTF-8; it is whole or not there. */
+  void write(String name, String text) throws ImageFileException {
+    ByteBuffer bytes = StandardCharsets.UTF_8.encode(text);
+    WholeFiles.write(
+        file(name),
+        channel -> {
+          while (bytes.hasRemaining()) {
+            channel.write(bytes);
+          }
+        });
+  }
+
+  /** Takes away what was made and is still empty. */
+  @Override
+  public void close() {
+    try {
+      while (!made.isEmpty()) {
+        Files.delete(made.pop());
+      }
+    } catch (IOException e) {
+      made.clear(); // it holds files, as it should
+    }
+  }
+}

@@ -1,0 +1,44 @@
+package org.hdispatch.app;
+
+import java.nio.file.Path;
+import java.util.Optional;
+import picocli.CommandLine.Option;
+
+/** Where the result goes, and in which form. */
+final class OutputOptions {
+  @Option(names = "--json", description = "Print the result as one flat JSON object.")
+  private boolean json;
+
+  @Option(names = "--csv", description = "Print the result as a CSV header and one row.")
+  private boolean csv;
+
+  @Option(
+      names = "--output",
+      paramLabel = "DIR",
+      description = "Also write files to this folder, made if missing. Default: none.")
+  private Path folder;
+
+  @Option(names = "--quiet", description = "No progress and no warnings on standard error.")
+  private boolean quiet;
+
+  /**
+   * The folder for files, if one is asked for.
+   *
+   * @throws UsageException if two forms are asked for
+   */
+  Optional<Path> folder() {
+    if (json && csv) {
+      throw new UsageException("--json and --csv must not be combined");
+    }
+    return Optional.ofNullable(folder);
+  }
+
+  boolean quiet() {
+    return quiet;
+  }
+
+  /** The result in the form asked for. */
+  String form(FlatRow row, String text) {
+    return json ? row.toJson() : csv ? row.toCsv() : text;
+  }
+}

@@ -1,0 +1,111 @@
+package org.hdispatch.app;
+
+import java.util.ArrayList;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.OptionalDouble;
+import org.hdispatch.porous.image.LabelRule;
+import org.hdispatch.porous.image.VoxelBox;
+import org.hdispatch.porous.image.VoxelImage;
+import org.hdispatch.porous.io.ImageFileException;
+import org.hdispatch.porous.pore.PoreSpace;
+
+/**
+ * A pore space and where it comes from.
+ *
+ * @param name what it is called
+ * @param space the pore space
+ * @param voxelEdge edge of a voxel, m, if known
+ * @param origin how it was made: key, value
+ * @param citation what to cite, line by line
+ */
+record Rock(
+    String name,
+    PoreSpace space,
+    OptionalDouble voxelEdge,
+    Map<String, Object> origin,
+    List<String> citation) {
+  /** Heap to make a pore space and to see what spans it: image, pore space, its part, its runs. */
+  static final int BYTES_PER_VOXEL = 5;
+
+  /** Keeps copies of the lists. */
+  Rock {
+    citation = List.copyOf(citation);
+  }
+
+  /**
+   * Reads a part of an image.
+   *
+   * @throws UsageException if the box does not fit the image, or no voxel edge is known
+   * @throws ImageFileException if the image cannot be read, or has no pore there
+   */
+  static Rock of(ImageSource source, ImageOptions options, Host host) throws ImageFileException {
+    LabelRule rule = options.rule();
+    VoxelBox box = boxOf(source, options);
+    OptionalDouble edge = options.voxelEdgeOr(source.voxelEdge());
+    if (edge.isEmpty()) {
+      throw new UsageException(
+          "voxel edge must be known, as the file does not say it (give --voxel-edge, in m): file="
+              + source.name());
+    }
+    VoxelImage image = read(source, box, host);
+    PoreSpace space = PoreSpace.of(image, rule);
+    if (space.poreVoxels() == 0) {
+      throw new ImageFileException(
+          "image must have pore voxels (--pore-value says which labels are pore): file="
+              + source.name()
+              + ", box="
+              + box
+              + ", "
+              + rule
+              + ", labels="
+              + labelsOf(image));
+    }
+    Map<String, Object> origin = new LinkedHashMap<>();
+    origin.put("image", source.name());
+    origin.put("box", box.toString());
+    origin.put("pore_values", rule.toString().replace("pore=", ""));
+    return new Rock(source.name(), space, edge, origin, source.citation());
+  }
+
+  /** Regular spheres. */
+  static Rock of(SphereOptions spheres, ImageOptions options, Host host) {
+    OptionalDouble edge = options.voxelEdgeOr(OptionalDouble.empty());
+    PoreSpace space = spheres.poreSpace(host);
+    String packing = Choices.word(spheres.packing().orElseThrow());
+    Map<String, Object> origin = new LinkedHashMap<>();
+    origin.put("spheres", packing);
+    origin.put("solid_fraction", spheres.solidFraction());
+    String name = packing + " spheres, solid fraction " + spheres.solidFraction();
+    return new Rock(name, space, edge, origin, List.of());
+  }
+
+  /** The box to take, checked to lie inside. */
+  static VoxelBox boxOf(ImageSource source, ImageOptions options) {
+    VoxelBox whole = source.whole();
+    VoxelBox box = options.box().orElse(whole);
+    return UsageException.orRefused(
+        () -> {
+          VoxelImage.requireFits(box.nx(), box.ny(), box.nz());
+          return box.within(whole.nx(), whole.ny(), whole.nz());
+        });
+  }
+
+  /** Reads a box, if it fits into the heap. */
+  static VoxelImage read(ImageSource source, VoxelBox box, Host host) throws ImageFileException {
+    host.requireHeap("an image of " + box.voxels() + " voxels", BYTES_PER_VOXEL * box.voxels());
+    return source.read(box);
+  }
+
+  private static String labelsOf(VoxelImage image) {
+    long[] histogram = image.histogram();
+    List<String> labels = new ArrayList<>();
+    for (int label = 0; label < histogram.length; label++) {
+      if (histogram[label] > 0) {
+        labels.add(Integer.toString(label));
+      }
+    }
+    return String.join(",", labels);
+  }
+}

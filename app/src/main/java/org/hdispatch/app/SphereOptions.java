@@ -1,0 +1,60 @@
+package org.hdispatch.app;
+
+import java.util.List;
+import java.util.Optional;
+import org.hdispatch.porous.pore.PoreSpace;
+import org.hdispatch.porous.pore.SpherePacking;
+import picocli.CommandLine.Option;
+
+/** A regular packing of equal spheres instead of an image. */
+final class SphereOptions {
+  /** The options that need {@code --spheres}. */
+  static final List<String> NAMES = List.of("--solid-fraction", "--size");
+
+  @Option(
+      names = "--spheres",
+      paramLabel = "PACKING",
+      completionCandidates = Choices.OfSpheres.class,
+      description =
+          "Instead of an image: equal spheres, ${COMPLETION-CANDIDATES}, periodic on all sides."
+              + " Default: none.")
+  private SpherePacking packing;
+
+  @Option(
+      names = "--solid-fraction",
+      paramLabel = "C",
+      defaultValue = "0.343",
+      description = "Share of the volume that the spheres take.")
+  private double solidFraction;
+
+  @Option(
+      names = "--size",
+      paramLabel = "N",
+      defaultValue = "64",
+      description = "Edge of the cubic cell, voxels.")
+  private int size;
+
+  Optional<SpherePacking> packing() {
+    return Optional.ofNullable(packing);
+  }
+
+  double solidFraction() {
+    return solidFraction;
+  }
+
+  int size() {
+    return size;
+  }
+
+  /**
+   * The pore space between the spheres.
+   *
+   * @throws UsageException if there can be no such packing
+   */
+  PoreSpace poreSpace(Host host) {
+    UsageException.orRefused(() -> packing.radius(size, solidFraction));
+    double voxels = Math.pow(size, 3);
+    host.requireHeap("spheres of " + size + "^3 voxels", voxels * Rock.BYTES_PER_VOXEL);
+    return UsageException.orRefused(() -> packing.poreSpace(size, solidFraction));
+  }
+}
