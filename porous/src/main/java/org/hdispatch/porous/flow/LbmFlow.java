@@ -69,7 +69,7 @@ public final class LbmFlow {
   public static long estimatedBytes(PoreSpace space, FlowOptions options) {
     int velocities = options.velocitySet().size();
     long slabs = 2L * new FlowDomain(space, options).slabVoxels();
-    long perNode = 2L * velocities * Double.BYTES + velocities * 3L * Integer.BYTES + Integer.BYTES;
+    long perNode = 2L * velocities * (Double.BYTES + Integer.BYTES) + Integer.BYTES;
     long perVoxel = Integer.BYTES + 2;
     return (space.poreVoxels() + slabs) * perNode + (space.voxels() + slabs) * perVoxel;
   }

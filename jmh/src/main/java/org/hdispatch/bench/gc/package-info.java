@@ -1,0 +1,2 @@
+/** What is it worth that scratch endures? */
+package org.hdispatch.bench.gc;
