@@ -12,20 +12,20 @@ import org.hdispatch.porous.image.VoxelBox;
 import org.hdispatch.porous.image.VoxelImage;
 
 /**
- * The bundled rock: 80 x 80 x 80 voxels of Berea sandstone, 1 = pore.
+ * The bundled rock: 64 x 64 x 64 voxels of Berea sandstone, 1 = pore.
  *
- * <p>Cut at voxel (240, 240, 0) of the 400 x 400 x 400 image: of its 125 disjoint blocks of that
- * size the one whose porosity, 0.1964, is nearest to that of the whole. It percolates along x, y
- * and z.
+ * <p>Cut at voxel (320, 192, 192) of the 400 x 400 x 400 image: a block like the whole, with a
+ * porosity of 0.192 (the whole: 0.196), percolating along x, y and z, and with permeabilities of
+ * 1.0 to 1.7 D along them.
  */
 final class SampleRock implements ImageSource {
   /** Edge of a voxel, m (README of the image). */
   static final double VOXEL_EDGE = 5.345e-6;
 
   /** Voxels along each axis. */
-  static final int SIZE = 80;
+  static final int SIZE = 64;
 
-  private static final String RESOURCE = "berea_80.raw.gz";
+  private static final String RESOURCE = "berea_64.raw.gz";
 
   @Override
   public String name() {
@@ -46,7 +46,7 @@ final class SampleRock implements ImageSource {
   public Map<String, Object> facts() {
     Map<String, Object> facts = new LinkedHashMap<>();
     facts.put("format", "bundled");
-    facts.put("origin", "voxel (240, 240, 0) of the 400 x 400 x 400 image");
+    facts.put("origin", "voxel (320, 192, 192) of the 400 x 400 x 400 image");
     return facts;
   }
 

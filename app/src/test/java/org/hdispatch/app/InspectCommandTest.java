@@ -73,7 +73,7 @@ class InspectCommandTest {
   @Test
   void bundledRockIsThatOfTheNotice() {
     Map<String, String> json = Cli.json("inspect", "--json");
-    assertEquals("100554", json.get("label_1"));
+    assertEquals("50343", json.get("label_1"));
     for (String axis : List.of("x", "y", "z")) {
       assertEquals("true", json.get("percolates_" + axis));
     }

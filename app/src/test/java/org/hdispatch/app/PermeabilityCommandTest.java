@@ -57,7 +57,7 @@ class PermeabilityCommandTest {
           "bytes_per_step");
 
   /** A part of the bundled rock that is solved in a moment. */
-  private static final String SMALL = "--box=8,32,48,24,24,24";
+  private static final String SMALL = "--box=32,32,32,24,24,24";
 
   /** k/W² of a square duct (series of White, Viscous Fluid Flow, eq. 3-48). */
   private static final double SQUARE_DUCT = 0.0351442537;
@@ -212,7 +212,7 @@ class PermeabilityCommandTest {
             "Reynolds",
             "Mach",
             "sides wall",
-            "slab of 12 layers",
+            "slab of 6 layers",
             "threads",
             "collections",
             "stopped",

@@ -21,7 +21,7 @@ class SampleRockTest {
     int n = SampleRock.SIZE;
     SampleRock sample = new SampleRock();
     assertArrayEquals(
-        Hdf5Images.read(berea, new VoxelBox(240, 240, 0, n, n, n)).toLabels(),
+        Hdf5Images.read(berea, new VoxelBox(320, 192, 192, n, n, n)).toLabels(),
         sample.read(sample.whole()).toLabels());
     assertEquals(berea.voxelEdge(), sample.voxelEdge());
   }

@@ -10,6 +10,12 @@ package org.hdispatch.lbm;
  */
 public record BundleSize(int nx, int ny, int nz) {
   /**
+   * Long along x, for long runs; and so small that one copy of the populations stays below 512 KiB,
+   * from which on G1 gives an array whole regions of a small heap to itself.
+   */
+  public static final BundleSize DEFAULT = new BundleSize(32, 8, 8);
+
+  /**
    * Checks the extents.
    *
    * @throws IllegalArgumentException if an extent is less than 1 or the bundle has 2^27 nodes or

@@ -219,7 +219,7 @@ public final class LbmScheme implements Scheme<NodalBundle, LbmScheme.Scratch> {
     private Relaxation relaxation = Relaxation.trt(1);
     private Equilibrium equilibrium = Equilibrium.QUADRATIC;
     private BodyForce force = BodyForce.NONE;
-    private BundleSize size = BundleSize.cube(20);
+    private BundleSize size = BundleSize.DEFAULT;
 
     private Builder(Lattice lattice) {
       this.lattice = Objects.requireNonNull(lattice, "lattice");
@@ -249,7 +249,7 @@ public final class LbmScheme implements Scheme<NodalBundle, LbmScheme.Scratch> {
       return this;
     }
 
-    /** Sets the size of the bundles. Default: 20 nodes along each axis. */
+    /** Sets the size of the bundles. Default: {@link BundleSize#DEFAULT}. */
     public Builder bundleSize(BundleSize bundleSize) {
       size = Objects.requireNonNull(bundleSize, "bundleSize");
       return this;

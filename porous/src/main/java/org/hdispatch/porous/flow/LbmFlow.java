@@ -6,7 +6,6 @@ import org.hdispatch.dispatch.Dispatcher;
 import org.hdispatch.dispatch.LoopStats;
 import org.hdispatch.dispatch.TimeLoop;
 import org.hdispatch.lbm.BodyForce;
-import org.hdispatch.lbm.BundleSize;
 import org.hdispatch.lbm.Equilibrium;
 import org.hdispatch.lbm.LbmScheme;
 import org.hdispatch.lbm.VelocitySet;
@@ -31,8 +30,6 @@ public final class LbmFlow {
 
   /** Mean pore velocity aimed at, voxels per step; k does not depend on it. */
   private static final double PORE_VELOCITY = 1e-3;
-
-  private static final BundleSize BUNDLE = BundleSize.cube(20);
 
   private LbmFlow() {}
 
@@ -137,7 +134,6 @@ public final class LbmFlow {
               .relaxation(relaxation)
               .equilibrium(Equilibrium.LINEAR)
               .force(along(options.axis(), force))
-              .bundleSize(BUNDLE)
               .build();
       loop = dispatcher.loop(scheme);
       flux = new SectionFlux(dispatcher, domain, scheme, loop.tick());
