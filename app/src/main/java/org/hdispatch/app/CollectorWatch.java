@@ -1,10 +1,8 @@
 package org.hdispatch.app;
 
 import java.io.UncheckedIOException;
-import java.time.Duration;
 import java.util.List;
 import java.util.OptionalDouble;
-import java.util.function.Function;
 import org.hdispatch.gc.GcReport;
 import org.hdispatch.gc.GcWatch;
 import org.hdispatch.porous.flow.FlowListener;
@@ -16,8 +14,7 @@ import org.hdispatch.porous.flow.FlowListener;
  */
 final class CollectorWatch implements FlowListener, AutoCloseable {
   private GcWatch watch;
-  private int windows; // one ends at each measurement
-  private int warmUpWindows;
+  private boolean warm;
 
   /**
    * What the collector did.
@@ -40,27 +37,21 @@ final class CollectorWatch implements FlowListener, AutoCloseable {
       OptionalDouble pauseMillis,
       OptionalDouble stoppedMillis,
       OptionalDouble stallMillis) {
-    private static final Window NOTHING = of(List.of());
+    private static final Window NOTHING =
+        new Window(0, OptionalDouble.of(0), OptionalDouble.of(0), OptionalDouble.of(0));
 
-    private static Window of(List<GcReport> reports) {
+    private static Window of(GcReport report) {
       return new Window(
-          reports.stream().mapToLong(GcReport::collections).sum(),
-          millis(reports, GcReport::pauses),
-          millis(reports, GcReport::safepoints),
-          millis(reports, GcReport::stalls));
+          report.collections(),
+          millis(report.pauses()),
+          millis(report.safepoints()),
+          millis(report.stalls()));
     }
 
-    private static OptionalDouble millis(
-        List<GcReport> reports, Function<GcReport, GcReport.Stops> kind) {
-      if (!reports.stream().map(kind).allMatch(GcReport.Stops::measured)) {
-        return OptionalDouble.empty();
-      }
-      Duration sum =
-          reports.stream()
-              .map(kind)
-              .map(GcReport.Stops::total)
-              .reduce(Duration.ZERO, Duration::plus);
-      return OptionalDouble.of(sum.toNanos() * 1e-6);
+    private static OptionalDouble millis(GcReport.Stops stops) {
+      return stops.measured()
+          ? OptionalDouble.of(stops.total().toNanos() * 1e-6)
+          : OptionalDouble.empty();
     }
   }
 
@@ -70,14 +61,14 @@ final class CollectorWatch implements FlowListener, AutoCloseable {
   }
 
   @Override
-  public void progressed(Progress progress) {
+  public void warmedUp() {
     watch.mark();
-    windows++;
+    warm = true;
   }
 
   @Override
-  public void warmedUp() {
-    warmUpWindows = windows;
+  public void stepped() {
+    watch.mark();
   }
 
   /**
@@ -90,9 +81,9 @@ final class CollectorWatch implements FlowListener, AutoCloseable {
       return new Figures(Window.NOTHING, Window.NOTHING); // nothing was stepped
     }
     List<GcReport> reports = watch.stop();
-    return new Figures(
-        Window.of(reports.subList(0, warmUpWindows)),
-        Window.of(reports.subList(warmUpWindows, windows)));
+    return warm
+        ? new Figures(Window.of(reports.get(0)), Window.of(reports.get(1)))
+        : new Figures(Window.NOTHING, Window.of(reports.get(0)));
   }
 
   @Override

@@ -19,4 +19,9 @@ record Listeners(List<FlowListener> all) implements FlowListener {
   public void progressed(Progress progress) {
     all.forEach(each -> each.progressed(progress));
   }
+
+  @Override
+  public void stepped() {
+    all.forEach(FlowListener::stepped);
+  }
 }

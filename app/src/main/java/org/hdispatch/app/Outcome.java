@@ -58,7 +58,7 @@ record Outcome(
     if (u.isEmpty() || !percolates()) {
       return u;
     }
-    double diameter = flow.hydraulicDiameter() * rock.voxelEdge().getAsDouble();
+    double diameter = flow.chosen().hydraulicDiameter() * rock.voxelEdge().getAsDouble();
     return OptionalDouble.of(fluid.reynolds(u.getAsDouble(), diameter));
   }
 }

@@ -32,14 +32,14 @@ final class OutcomeRow {
         .put("porosity_connected", outcome.connectedPorosity())
         .put("percolates", outcome.percolates())
         .put("converged", flow.converged())
-        .put("steps", flow.steps())
-        .put("tau", flow.relaxationTime())
+        .put("steps", flow.work().steps())
+        .put("tau", flow.chosen().relaxationTime())
         .put("superficial_velocity", outcome.superficialVelocity())
         .put("pore_velocity", outcome.poreVelocity())
         .put("reynolds", outcome.reynolds())
         .put("mach", flow.mach())
-        .put("seconds_stepping", flow.secondsStepping())
-        .put("mflups", flow.mflups());
+        .put("seconds_stepping", flow.work().secondsStepping())
+        .put("mflups", flow.work().mflups());
   }
 
   private static void settings(FlatRow row, Outcome outcome) {
@@ -52,7 +52,7 @@ final class OutcomeRow {
         .put("voxel_edge_m", outcome.rock().voxelEdge())
         .put("sides", Choices.word(options.sides()))
         .put("inlet", Choices.word(options.inlet()))
-        .put("inlet_layers", outcome.flow().inletLayers());
+        .put("inlet_layers", outcome.flow().chosen().inletLayers());
   }
 
   private static void collector(FlatRow row, Outcome outcome) {
@@ -64,10 +64,10 @@ final class OutcomeRow {
         .put("gc_pause_ms", millis(after, CollectorWatch.Window::pauseMillis))
         .put("stopped_ms", millis(after, CollectorWatch.Window::stoppedMillis))
         .put("stall_ms", millis(after, CollectorWatch.Window::stallMillis))
-        .put("bytes_per_step", outcome.flow().stats().bytesPerStep())
+        .put("bytes_per_step", outcome.flow().work().stats().bytesPerStep())
         .put("collections_warm_up", warmUp.map(CollectorWatch.Window::collections).orElse(null))
         .put("gc_pause_ms_warm_up", millis(warmUp, CollectorWatch.Window::pauseMillis))
-        .put("warm_up_steps", outcome.flow().warmUpSteps());
+        .put("warm_up_steps", outcome.flow().work().warmUpSteps());
   }
 
   private static OptionalDouble millis(
@@ -87,8 +87,8 @@ final class OutcomeRow {
         .put("nx", space.nx())
         .put("ny", space.ny())
         .put("nz", space.nz())
-        .put("fluid_nodes", flow.fluidNodes())
-        .put("hydraulic_diameter_voxel", flow.hydraulicDiameter())
+        .put("fluid_nodes", flow.work().fluidNodes())
+        .put("hydraulic_diameter_voxel", flow.chosen().hydraulicDiameter())
         .put("spanning_clusters", flow.percolation().spanningClusters())
         .put("isolated_pore_voxels", flow.percolation().isolatedPoreVoxels())
         .put("version", Version.ofProject())

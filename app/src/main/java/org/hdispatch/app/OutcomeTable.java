@@ -80,7 +80,7 @@ final class OutcomeTable {
 
   private static void flow(Table table, Outcome outcome) {
     FlowOptions options = outcome.options();
-    int layers = outcome.flow().inletLayers();
+    int layers = outcome.flow().chosen().inletLayers();
     String chosen = options.inletLayers().isPresent() ? " (given)" : " (chosen)";
     table.line(
         "boundaries",
@@ -127,7 +127,7 @@ final class OutcomeTable {
     table
         .line(
             "tau",
-            Numbers.significant(flow.relaxationTime(), DIGITS)
+            Numbers.significant(flow.chosen().relaxationTime(), DIGITS)
                 + (options.relaxationTime().isPresent() ? " (given)" : " (chosen)")
                 + ", highest Mach number "
                 + Numbers.significant(flow.mach(), FEW))
@@ -136,16 +136,16 @@ final class OutcomeTable {
             String.format(
                 Locale.ROOT,
                 "%d in %.2f s, %.1f MFLUPS, %d fluid nodes",
-                flow.steps(),
-                flow.secondsStepping(),
-                flow.mflups(),
-                flow.fluidNodes()));
+                flow.work().steps(),
+                flow.work().secondsStepping(),
+                flow.work().mflups(),
+                flow.work().fluidNodes()));
   }
 
   private static void collector(Table table, Outcome outcome) {
     SteadyFlow flow = outcome.flow();
     table.line("threads", outcome.threads() + ", Java " + Version.ofJava());
-    if (outcome.collector().isEmpty() || flow.steps() == 0) {
+    if (outcome.collector().isEmpty() || flow.work().steps() == 0) {
       table.line("collector", GcWatch.collector());
       return;
     }
@@ -163,10 +163,10 @@ final class OutcomeTable {
                 + millis(after.stoppedMillis())
                 + ", stall "
                 + millis(after.stallMillis()))
-        .line("allocated", flow.stats().bytesPerStep() + " bytes per step (worst worker)")
+        .line("allocated", flow.work().stats().bytesPerStep() + " bytes per step (worst worker)")
         .line(
             "warm-up apart",
-            flow.warmUpSteps()
+            flow.work().warmUpSteps()
                 + " steps, "
                 + figures.warmUp().collections()
                 + " collections, pause "

@@ -128,7 +128,7 @@ final class PermeabilityCommand implements Callable<Integer> {
     err()
         .println(
             "hdispatch: permeability must converge (give more --max-steps): steps="
-                + outcome.flow().steps()
+                + outcome.flow().work().steps()
                 + ", error="
                 + outcome.flow().errorEstimate()
                 + ", tolerance="

@@ -14,6 +14,9 @@ public interface FlowListener {
   /** Another measurement. */
   default void progressed(Progress progress) {}
 
+  /** Stepping is over; the field is read next. */
+  default void stepped() {}
+
   /**
    * What was chosen.
    *

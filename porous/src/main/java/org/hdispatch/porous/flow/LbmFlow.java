@@ -3,7 +3,6 @@ package org.hdispatch.porous.flow;
 import java.util.Objects;
 import java.util.Optional;
 import org.hdispatch.dispatch.Dispatcher;
-import org.hdispatch.dispatch.LoopStats;
 import org.hdispatch.dispatch.TimeLoop;
 import org.hdispatch.lbm.BodyForce;
 import org.hdispatch.lbm.Equilibrium;
@@ -51,7 +50,7 @@ public final class LbmFlow {
     Percolation percolation =
         Percolation.along(space, options.axis(), options.sides().ends(), options.inlet().ends());
     if (!percolation.percolates()) {
-      return nothingSpans(space, options, percolation);
+      return SteadyFlow.none(options, space.porosity(), percolation);
     }
     FlowDomain domain = new FlowDomain(percolation.connected(), options);
     return new Run(dispatcher, space, options, percolation, domain, listener).toSteadyState();
@@ -69,28 +68,6 @@ public final class LbmFlow {
     long perNode = 2L * velocities * (Double.BYTES + Integer.BYTES) + Integer.BYTES;
     long perVoxel = Integer.BYTES + 2;
     return (space.poreVoxels() + slabs) * perNode + (space.voxels() + slabs) * perVoxel;
-  }
-
-  private static SteadyFlow nothingSpans(
-      PoreSpace space, FlowOptions options, Percolation percolation) {
-    return new SteadyFlow(
-        options,
-        space.porosity(),
-        percolation,
-        0,
-        0,
-        0,
-        true,
-        0,
-        Double.NaN,
-        0,
-        Double.NaN,
-        0,
-        0,
-        0,
-        new LoopStats(0, 0, java.util.List.of()),
-        0,
-        Optional.empty());
   }
 
   /** One computation. */
@@ -162,6 +139,7 @@ public final class LbmFlow {
           listener.warmedUp();
         }
       }
+      listener.stepped();
       return new SteadyFlow(
           options,
           space.porosity(),
@@ -170,15 +148,9 @@ public final class LbmFlow {
           error.estimate(),
           error.lastChange(),
           converged,
-          steps(),
-          relaxationTime,
-          domain.layers(),
-          domain.hydraulicDiameter(),
           flux.highestSpeed() / Math.sqrt(VelocitySet.SOUND_SPEED_SQUARED),
-          scheme.nodes(),
-          warmUpSteps,
-          loop.stats(),
-          seconds(),
+          new SteadyFlow.Chosen(domain.hydraulicDiameter(), relaxationTime, domain.layers()),
+          new SteadyFlow.Work(scheme.nodes(), steps(), seconds(), warmUpSteps, loop.stats()),
           Optional.of(FlowField.of(domain, scheme, loop.tick(), force, drive())));
     }
 

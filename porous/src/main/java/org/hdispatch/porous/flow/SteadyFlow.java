@@ -1,5 +1,6 @@
 package org.hdispatch.porous.flow;
 
+import java.util.List;
 import java.util.Optional;
 import org.hdispatch.dispatch.LoopStats;
 import org.hdispatch.porous.pore.Percolation;
@@ -15,15 +16,9 @@ import org.hdispatch.porous.pore.PoreSpace;
  * @param errorEstimate estimated relative error of k; 0 if nothing spans
  * @param changeAtStop relative change of k over the last interval between measurements
  * @param converged whether the estimate came below the tolerance; true if nothing spans
- * @param steps steps done
- * @param relaxationTime tau used; NaN if nothing spans
- * @param inletLayers layers of fluid at each end; 0 if the inlet is periodic or nothing spans
- * @param hydraulicDiameter 4 volume / surface of the connected pores, voxels; NaN if nothing spans
  * @param mach highest speed over the speed of sound; 0 if nothing spans
- * @param fluidNodes fluid nodes of the lattice, slabs included
- * @param warmUpSteps steps before {@code stats}
- * @param stats what the workers did after warm-up
- * @param secondsStepping wall time of all steps, warm-up included, s
+ * @param chosen what was chosen from the pore space
+ * @param work what it took
  * @param field velocity and pressure; empty if nothing spans
  */
 public record SteadyFlow(
@@ -34,20 +29,53 @@ public record SteadyFlow(
     double errorEstimate,
     double changeAtStop,
     boolean converged,
-    long steps,
-    double relaxationTime,
-    int inletLayers,
-    double hydraulicDiameter,
     double mach,
-    long fluidNodes,
-    long warmUpSteps,
-    LoopStats stats,
-    double secondsStepping,
+    Chosen chosen,
+    Work work,
     Optional<FlowField> field) {
 
-  /** Million fluid-node updates per second, warm-up included; 0 if nothing was stepped. */
-  public double mflups() {
-    return secondsStepping == 0 ? 0 : fluidNodes * (double) steps / secondsStepping * 1e-6;
+  /**
+   * What was chosen from the pore space, or given.
+   *
+   * @param hydraulicDiameter 4 volume / surface of the connected pores, voxels; NaN if nothing
+   *     spans
+   * @param relaxationTime tau; NaN if nothing spans
+   * @param inletLayers layers of fluid at each end; 0 if the inlet is periodic or nothing spans
+   */
+  public record Chosen(double hydraulicDiameter, double relaxationTime, int inletLayers) {}
+
+  /**
+   * What a computation took.
+   *
+   * @param fluidNodes fluid nodes of the lattice, slabs included
+   * @param steps steps done
+   * @param secondsStepping wall time of all steps, warm-up included, s
+   * @param warmUpSteps steps before {@code stats}
+   * @param stats what the workers did after warm-up
+   */
+  public record Work(
+      long fluidNodes, long steps, double secondsStepping, long warmUpSteps, LoopStats stats) {
+
+    /** Million fluid-node updates per second, warm-up included; 0 if nothing was stepped. */
+    public double mflups() {
+      return secondsStepping == 0 ? 0 : fluidNodes * (double) steps / secondsStepping * 1e-6;
+    }
+  }
+
+  /** The outcome where no cluster spans: k = 0, without a step. */
+  static SteadyFlow none(FlowOptions options, double porosity, Percolation percolation) {
+    return new SteadyFlow(
+        options,
+        porosity,
+        percolation,
+        0,
+        0,
+        0,
+        true,
+        0,
+        new Chosen(Double.NaN, Double.NaN, 0),
+        new Work(0, 0, 0, 0, new LoopStats(0, 0, List.of())),
+        Optional.empty());
   }
 
   /** The pore space in which the flow was solved. */

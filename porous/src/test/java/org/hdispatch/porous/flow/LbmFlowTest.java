@@ -55,7 +55,7 @@ class LbmFlowTest {
     assertEquals(0, flow.permeability());
     assertFalse(flow.percolation().percolates());
     assertTrue(flow.converged());
-    assertEquals(0, flow.steps());
+    assertEquals(0, flow.work().steps());
     assertTrue(flow.field().isEmpty());
     assertEquals(8.0 / 9, flow.porosity(), 1e-15);
   }
@@ -88,7 +88,7 @@ class LbmFlowTest {
     FlowOptions options = FlowOptions.DEFAULT.withTolerance(1e-3).withRelaxationTime(1);
     SteadyFlow alongZ = solve(rock, options.withAxis(Axis.Z));
     SteadyFlow alongX = solve(turned, options.withAxis(Axis.X));
-    assertEquals(alongZ.steps(), alongX.steps());
+    assertEquals(alongZ.work().steps(), alongX.work().steps());
     // Sums run over the nodes in another order: round-off only.
     assertEquals(alongZ.permeability(), alongX.permeability(), 1e-11 * alongZ.permeability());
   }
@@ -147,13 +147,13 @@ class LbmFlowTest {
   void givesUpAfterTheStepsAllowedAndSaysSo() {
     SteadyFlow flow =
         solve(maze(14, 12, 16), FlowOptions.DEFAULT.withTolerance(1e-9).withMaxSteps(130));
-    assertEquals(130, flow.steps());
+    assertEquals(130, flow.work().steps());
     assertFalse(flow.converged());
     assertTrue(flow.permeability() > 0);
   }
 
   @Test
-  void listenerHearsTheStartTheWarmUpAndEveryMeasurement() {
+  void listenerHearsOfTheStartTheWarmUpEveryMeasurementAndTheEnd() {
     List<String> heard = new ArrayList<>();
     FlowListener listener =
         new FlowListener() {
@@ -172,13 +172,19 @@ class LbmFlowTest {
           public void progressed(Progress progress) {
             heard.add("at " + progress.step());
           }
+
+          @Override
+          public void stepped() {
+            heard.add("end");
+          }
         };
     FlowOptions options =
         FlowOptions.DEFAULT.withMaxSteps(250).withTolerance(1e-12).withRelaxationTime(0.9);
     try (Dispatcher dispatcher = Dispatcher.withWorkers(1)) {
       LbmFlow.solve(dispatcher, maze(14, 12, 16), options, listener);
     }
-    assertEquals(List.of("start", "at 50", "at 100", "at 150", "at 200", "warm", "at 250"), heard);
+    assertEquals(
+        List.of("start", "at 50", "at 100", "at 150", "at 200", "warm", "at 250", "end"), heard);
   }
 
   @Test
@@ -187,20 +193,21 @@ class LbmFlowTest {
     FlowOptions options = FlowOptions.DEFAULT.withMaxSteps(1);
     SteadyFlow flow = solve(tube, options);
     // 10 x 10: 4 volume/surface = 10, and 3/2 of it where all faces lie along the axes.
-    assertEquals(15, flow.hydraulicDiameter(), 1e-12);
-    assertEquals(12, flow.inletLayers());
-    assertEquals(3, solve(tube, options.withInletLayers(3)).inletLayers());
+    assertEquals(15, flow.chosen().hydraulicDiameter(), 1e-12);
+    assertEquals(12, flow.chosen().inletLayers());
+    assertEquals(3, solve(tube, options.withInletLayers(3)).chosen().inletLayers());
     FlowOptions periodic = options.withBoundaries(Sides.WALL, Inlet.PERIODIC);
-    assertEquals(0, solve(tube, periodic).inletLayers());
+    assertEquals(0, solve(tube, periodic).chosen().inletLayers());
   }
 
   @Test
   void tauIsChosenLowInTightAndHighInOpenRock() {
-    double tight = solve(maze(14, 12, 40), FlowOptions.DEFAULT).relaxationTime();
+    double tight = solve(maze(14, 12, 40), FlowOptions.DEFAULT).chosen().relaxationTime();
     double open =
         solve(
                 SpherePacking.SC.poreSpace(16, 0.125),
                 FlowOptions.DEFAULT.withBoundaries(Sides.PERIODIC, Inlet.PERIODIC))
+            .chosen()
             .relaxationTime();
     assertTrue(tight < 1 && open > 2, "tight " + tight + ", open " + open);
   }
