@@ -26,11 +26,10 @@ public final class CellMap<C> {
     for (int index = 0; index < keys.length; index++) {
       C cell = newCell.apply(keys[index]);
       if (cell == null) {
-        throw new IllegalArgumentException("cell must exist: key=" + CellKey.toString(keys[index]));
+        throw Refusal.missing(keys[index]);
       }
       if (byKey.put(keys[index], cell) != null) {
-        throw new IllegalArgumentException(
-            "cell keys must differ: key=" + CellKey.toString(keys[index]));
+        throw Refusal.twice(keys[index]);
       }
       cells[index] = cell;
     }
@@ -72,5 +71,16 @@ public final class CellMap<C> {
   @SuppressWarnings("unchecked") // only cells of type C are ever stored
   public C cellAt(int index) {
     return (C) cells[index];
+  }
+
+  /** Apart, so that the hot class has no string constants to be made when it is compiled. */
+  private static final class Refusal {
+    static IllegalArgumentException missing(long key) {
+      return new IllegalArgumentException("cell must exist: key=" + CellKey.toString(key));
+    }
+
+    static IllegalArgumentException twice(long key) {
+      return new IllegalArgumentException("cell keys must differ: key=" + CellKey.toString(key));
+    }
   }
 }

@@ -58,7 +58,7 @@ public final class Dispatcher implements AutoCloseable {
       workers[id] = new Worker(id, count, this, tickets, signals);
     }
     for (int id = 1; id < count; id++) {
-      threads[id] = new Thread(null, workers[id], builder.name + "-worker-" + id);
+      threads[id] = new Thread(null, workers[id], builder.threadName(id));
       threads[id].setDaemon(true);
       signals.register(id, threads[id]);
     }
@@ -148,10 +148,10 @@ public final class Dispatcher implements AutoCloseable {
   /** Makes the current thread worker 0 until {@link #leave}. */
   void enter(Run run) {
     if (closed) {
-      throw new IllegalStateException("dispatcher must be open");
+      throw Refusal.closed();
     }
     if (!running.compareAndSet(false, true)) {
-      throw new IllegalStateException("dispatcher must run one loop at a time");
+      throw Refusal.busy();
     }
     signals.register(0, Thread.currentThread());
     active = run;
@@ -168,14 +168,14 @@ public final class Dispatcher implements AutoCloseable {
    */
   void check(Run run) {
     if (closed) {
-      throw new CancellationException("dispatcher was closed");
+      throw Refusal.closedMeanwhile();
     }
     if (run.cancelled) {
       run.cancelled = false;
-      throw new CancellationException("run was cancelled");
+      throw Refusal.cancelled();
     }
     if (Thread.currentThread().isInterrupted()) {
-      throw new CancellationException("run was interrupted");
+      throw Refusal.interrupted();
     }
   }
 
@@ -292,6 +292,10 @@ public final class Dispatcher implements AutoCloseable {
     public Builder name(String prefix) {
       name = Objects.requireNonNull(prefix, "prefix");
       return this;
+    }
+
+    private String threadName(int worker) {
+      return name + "-worker-" + worker;
     }
 
     /** Starts the threads. */

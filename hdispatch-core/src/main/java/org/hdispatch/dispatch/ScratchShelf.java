@@ -1,7 +1,6 @@
 package org.hdispatch.dispatch;
 
 import java.util.function.Supplier;
-import org.hdispatch.cell.CellKey;
 
 /** The scratch of every worker; as a task it makes them, each on its worker's thread. */
 final class ScratchShelf<S> implements Dispatcher.Task {
@@ -39,6 +38,6 @@ final class ScratchShelf<S> implements Dispatcher.Task {
 
   @Override
   public RuntimeException failure(int index, int worker, Throwable cause) {
-    return new KernelException("new scratch", CellKey.NONE, 0, worker, cause);
+    return Refusal.noScratch(worker, cause);
   }
 }

@@ -30,9 +30,4 @@ public final class Tick {
   void advance() {
     step++;
   }
-
-  @Override
-  public String toString() {
-    return "step " + step;
-  }
 }

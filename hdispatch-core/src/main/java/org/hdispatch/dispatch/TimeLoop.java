@@ -55,7 +55,7 @@ public final class TimeLoop {
    */
   public void run(long steps) {
     if (steps < 0) {
-      throw new IllegalArgumentException("steps must not be negative: steps=" + steps);
+      throw Refusal.negativeSteps(steps);
     }
     runUntil(after -> false, steps);
   }

@@ -6,6 +6,7 @@ import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.util.ArrayList;
+import java.util.Arrays;
 import java.util.List;
 import java.util.Random;
 import org.hdispatch.cell.CellKey;
@@ -18,6 +19,7 @@ import org.hdispatch.gc.GcReport;
 import org.hdispatch.gc.GcWatch;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.EnumSource;
 
 class LbmSchemeTest {
@@ -86,6 +88,19 @@ class LbmSchemeTest {
       LbmScheme columns = flow(set, form).bundleSize(new BundleSize(1, 4, 2)).build();
       assertArrayEquals(reference, run(columns, 2, Handout.PULL, ScratchLifetime.PER_STEP));
     }
+  }
+
+  /** Sums, products and quotients only: IEEE 754 fixes every bit, on any JVM and processor. */
+  @ParameterizedTest
+  @CsvSource({
+    "D3Q15, QUADRATIC, -1819022122",
+    "D3Q15, LINEAR, 1090145475",
+    "D3Q19, QUADRATIC, 2143254638",
+    "D3Q19, LINEAR, -863740092"
+  })
+  void sameBitsOnEveryJvm(VelocitySet set, Equilibrium form, int hash) {
+    double[] state = run(flow(set, form).build(), 2, Handout.PULL, ScratchLifetime.ENDURING);
+    assertEquals(hash, Arrays.hashCode(state));
   }
 
   @ParameterizedTest

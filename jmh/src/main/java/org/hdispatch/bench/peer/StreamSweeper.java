@@ -4,34 +4,47 @@ import java.util.concurrent.ForkJoinPool;
 import java.util.stream.IntStream;
 
 /**
- * A parallel stream per step, in a fork-join pool of its own. The steps run inside that pool, so
- * that one of its threads is the stream's caller and none is idle.
+ * A parallel stream per step, as most programs use it: the common fork-join pool and the caller.
+ *
+ * <p>Not in a pool of its own: there, with two threads and tiny steps, JDK 17 was seen to lose a
+ * wake-up and hang for good.
  */
 public final class StreamSweeper implements Sweeper {
-  private final ForkJoinPool threads;
+  private final int workers;
   private final int cells;
   private final CellTask task;
 
-  /** A pool of {@code workers} threads for cells 0 to {@code cells - 1}. */
+  /**
+   * Streams over cells 0 to {@code cells - 1}.
+   *
+   * @throws IllegalArgumentException if {@code workers} is neither 1 nor the common pool's threads
+   *     and the caller
+   */
   public StreamSweeper(int workers, int cells, CellTask task) {
-    threads = new ForkJoinPool(workers);
+    int all = ForkJoinPool.getCommonPoolParallelism() + 1;
+    if (workers != 1 && workers != all) {
+      throw new IllegalArgumentException(
+          "stream must have 1 worker or all of the common pool (set"
+              + " -Djava.util.concurrent.ForkJoinPool.common.parallelism=workers-1): workers="
+              + workers
+              + ", all="
+              + all);
+    }
+    this.workers = workers;
     this.cells = cells;
     this.task = task;
   }
 
   @Override
   public void run(int steps) {
-    threads.submit(() -> sweep(steps)).join();
-  }
-
-  private void sweep(int steps) {
     for (int step = 0; step < steps; step++) {
-      IntStream.range(0, cells).parallel().forEach(task::process);
+      IntStream range = IntStream.range(0, cells);
+      (workers == 1 ? range : range.parallel()).forEach(task::process);
     }
   }
 
   @Override
   public void close() {
-    threads.shutdown();
+    // the common pool is the JVM's
   }
 }

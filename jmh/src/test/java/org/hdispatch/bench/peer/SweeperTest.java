@@ -4,6 +4,7 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 
 import java.time.Duration;
 import java.util.List;
+import java.util.concurrent.ForkJoinPool;
 import java.util.concurrent.atomic.AtomicIntegerArray;
 import java.util.function.Function;
 import org.hdispatch.dispatch.Handout;
@@ -22,7 +23,9 @@ class SweeperTest {
       List<Function<CellTask, Sweeper>> all =
           List.of(
               task -> new SequentialSweeper(CELLS, task),
-              task -> new StreamSweeper(workers, CELLS, task),
+              task ->
+                  new StreamSweeper(
+                      workers == 1 ? 1 : ForkJoinPool.getCommonPoolParallelism() + 1, CELLS, task),
               task -> new InvokeAllSweeper(workers, CELLS, task),
               task -> new BarrierSweeper(workers, CELLS, task),
               task -> new DispatcherSweeper(workers, CELLS, Handout.PULL, task),

@@ -43,30 +43,23 @@ public final class FlowField {
     FlowField field = new FlowField(domain);
     double scale = flow.relaxation().viscosity() / drive;
     double fall = force / drive;
+    int x0 = domain.offset(Axis.X);
+    int y0 = domain.offset(Axis.Y);
+    int z0 = domain.offset(Axis.Z);
     flow.forEachNode(
         clock,
-        (x, y, z, density, ux, uy, uz) ->
-            field.put(
-                domain,
-                x - domain.offset(Axis.X),
-                y - domain.offset(Axis.Y),
-                z - domain.offset(Axis.Z),
-                new double[] {ux * scale, uy * scale, uz * scale},
-                (density - 1) / (3 * drive),
-                fall));
+        (x, y, z, density, ux, uy, uz) -> {
+          int along = domain.axis().length(x, y, z) - domain.layers();
+          if (along >= 0 && along < domain.length()) {
+            int voxel = domain.rock().index(x - x0, y - y0, z - z0);
+            field.velocity[0][voxel] = (float) (ux * scale);
+            field.velocity[1][voxel] = (float) (uy * scale);
+            field.velocity[2][voxel] = (float) (uz * scale);
+            // The density gives the pressure beside the linear fall for which the force stands.
+            field.pressure[voxel] = (float) ((density - 1) / (3 * drive) - fall * (along + 0.5));
+          }
+        });
     return field;
-  }
-
-  /** Density gives the pressure beside the linear fall for which the force stands. */
-  private void put(FlowDomain domain, int x, int y, int z, double[] u, double p, double fall) {
-    int along = domain.axis().length(x, y, z);
-    if (along >= 0 && along < domain.length()) {
-      int voxel = domain.rock().index(x, y, z);
-      for (int c = 0; c < 3; c++) {
-        velocity[c][voxel] = (float) u[c];
-      }
-      pressure[voxel] = (float) (p - fall * (along + 0.5));
-    }
   }
 
   /** Voxels along x. */

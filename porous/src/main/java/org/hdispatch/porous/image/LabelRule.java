@@ -6,8 +6,8 @@ import java.util.TreeSet;
 /**
  * The rule that says which labels of an image are pore; every other label is solid.
  *
- * <p>There is no default: most raw files have 0 = pore (LBPM, Imperial College), most NumPy files 1
- * = pore (porespy, kabs). The user must state it.
+ * <p>Files differ: most raw files have 0 = pore (LBPM, Imperial College), most NumPy files 1 = pore
+ * (porespy, kabs). A look at the porosity tells.
  *
  * @param poreLabels the labels that are pore, each 0..255
  */
