@@ -33,7 +33,9 @@ public final class Ring {
             .build();
     try (Dispatcher dispatcher = Dispatcher.withWorkers(2)) {
       TimeLoop loop = dispatcher.loop(heat);
-      loop.run(20_000);
+      loop.run(5_000);
+      loop.resetStats(); // after warm-up
+      loop.run(15_000);
       double first = cells.cellAt(0).temperature()[loop.tick().previous()];
       double far = cells.cellAt(32).temperature()[loop.tick().previous()];
       System.out.printf("after %d steps: %.6f and %.6f%n", loop.tick().step(), first, far);
