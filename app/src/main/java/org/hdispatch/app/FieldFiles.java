@@ -36,12 +36,14 @@ final class FieldFiles {
       FlowField field = outcome.flow().field().get();
       arrays.add(velocity(field));
       arrays.add(pressure(field));
-      drawSpeed(folder, field);
     }
     arrays.add(VtiArray.labels("solid", space.voxels(), (v, c) -> space.isPore(v) ? 0 : 1));
     double spacing = outcome.rock().voxelEdge().orElse(1);
     VtiGrid grid = VtiGrid.atOrigin(space.nx(), space.ny(), space.nz(), spacing);
-    VtiWriter.write(folder.file("flow.vti"), grid, arrays);
+    VtiWriter.write(folder.file("flow.vti"), grid, arrays); // first: the largest, if room is scarce
+    if (outcome.flow().field().isPresent()) {
+      drawSpeed(folder, outcome.flow().field().get());
+    }
   }
 
   private VtiArray velocity(FlowField field) {

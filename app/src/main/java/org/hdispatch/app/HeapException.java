@@ -12,19 +12,19 @@ final class HeapException extends RuntimeException {
   private static final long ROUNDING_MIB = 64;
   private static final double MIB = 1 << 20;
 
-  HeapException(String what, long neededBytes, long heapBytes) {
+  HeapException(String what, double neededBytes, long heapBytes) {
     super(
         String.format(
             Locale.ROOT,
             "heap must hold %s: needed=%.0f MiB, heap=%.0f MiB"
-                + " (give java -Xmx%dm, or HDISPATCH_JAVA_OPTS=-Xmx%<dm)",
+                + " (give java -Xmx%.0fm, or HDISPATCH_JAVA_OPTS=-Xmx%<.0fm)",
             what,
             neededBytes / MIB,
             heapBytes / MIB,
             megabytesToGive(neededBytes)));
   }
 
-  private static long megabytesToGive(long neededBytes) {
-    return (long) Math.ceil(neededBytes / MIB * SLACK / ROUNDING_MIB) * ROUNDING_MIB;
+  private static double megabytesToGive(double neededBytes) {
+    return Math.ceil(neededBytes / MIB * SLACK / ROUNDING_MIB) * ROUNDING_MIB;
   }
 }

@@ -23,7 +23,7 @@ record Host(long heapBytes, boolean terminal) {
    */
   void requireHeap(String what, double bytes) {
     if (bytes + BASE > heapBytes) {
-      throw new HeapException(what, (long) bytes + BASE, heapBytes);
+      throw new HeapException(what, bytes + BASE, heapBytes);
     }
   }
 }

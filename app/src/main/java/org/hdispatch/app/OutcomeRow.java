@@ -3,6 +3,7 @@ package org.hdispatch.app;
 import java.util.Optional;
 import java.util.OptionalDouble;
 import java.util.function.Function;
+import org.hdispatch.dispatch.LoopStats;
 import org.hdispatch.gc.GcWatch;
 import org.hdispatch.porous.flow.FlowOptions;
 import org.hdispatch.porous.flow.SteadyFlow;
@@ -64,10 +65,15 @@ final class OutcomeRow {
         .put("gc_pause_ms", millis(after, CollectorWatch.Window::pauseMillis))
         .put("stopped_ms", millis(after, CollectorWatch.Window::stoppedMillis))
         .put("stall_ms", millis(after, CollectorWatch.Window::stallMillis))
-        .put("bytes_per_step", outcome.flow().work().stats().bytesPerStep())
+        .put("bytes_per_step", bytes(outcome))
         .put("collections_warm_up", warmUp.map(CollectorWatch.Window::collections).orElse(null))
         .put("gc_pause_ms_warm_up", millis(warmUp, CollectorWatch.Window::pauseMillis))
         .put("warm_up_steps", outcome.flow().work().warmUpSteps());
+  }
+
+  private static Long bytes(Outcome outcome) {
+    long bytes = outcome.flow().work().stats().bytesPerStep();
+    return bytes == LoopStats.NOT_MEASURED ? null : bytes;
   }
 
   private static OptionalDouble millis(

@@ -150,6 +150,7 @@ final class OutcomeTable {
       return;
     }
     CollectorWatch.Figures figures = outcome.collector().get();
+    long bytes = flow.work().stats().bytesPerStep();
     CollectorWatch.Window after = figures.after();
     table
         .line(
@@ -163,7 +164,9 @@ final class OutcomeTable {
                 + millis(after.stoppedMillis())
                 + ", stall "
                 + millis(after.stallMillis()))
-        .line("allocated", flow.work().stats().bytesPerStep() + " bytes per step (worst worker)")
+        .line(
+            "allocated",
+            (bytes < 0 ? "unknown" : Long.toString(bytes)) + " bytes per step (worst worker)")
         .line(
             "warm-up apart",
             flow.work().warmUpSteps()

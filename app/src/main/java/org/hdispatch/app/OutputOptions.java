@@ -30,6 +30,9 @@ final class OutputOptions {
     if (json && csv) {
       throw new UsageException("--json and --csv must not be combined");
     }
+    if (folder != null && folder.toString().isEmpty()) {
+      throw new UsageException("--output must name a folder: --output=");
+    }
     return Optional.ofNullable(folder);
   }
 

@@ -38,8 +38,6 @@ final class PermeabilityCommand implements Callable<Integer> {
   private static final int MOST_THREADS = 4096;
 
   /** Velocity (3) and pressure of a voxel, made when the flow is steady. */
-  private static final int FIELD_BYTES = 4 * Float.BYTES;
-
   private final Host host;
 
   @Mixin private final ImageOptions imageOptions = new ImageOptions();
@@ -156,7 +154,7 @@ final class PermeabilityCommand implements Callable<Integer> {
   private void requireHeap(PoreSpace space, FlowOptions options) {
     long flow = // refused: rock without any wall
         UsageException.orRefused(() -> LbmFlow.estimatedBytes(space, options));
-    double bytes = flow + (double) space.voxels() * (Rock.BYTES_PER_VOXEL + FIELD_BYTES);
+    double bytes = flow + (double) space.voxels() * Rock.BYTES_PER_VOXEL;
     host.requireHeap("the flow of " + space.poreVoxels() + " pore voxels", bytes);
   }
 

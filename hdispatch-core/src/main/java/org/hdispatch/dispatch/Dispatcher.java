@@ -4,6 +4,7 @@ import java.util.Objects;
 import java.util.concurrent.CancellationException;
 import java.util.concurrent.atomic.AtomicBoolean;
 import java.util.concurrent.atomic.AtomicReference;
+import java.util.concurrent.locks.LockSupport;
 
 /**
  * Owns the enduring threads that pull cells, one of them the caller's own.
@@ -18,8 +19,8 @@ import java.util.concurrent.atomic.AtomicReference;
  *   <li>After warm-up a step allocates nothing on any of the threads.
  *   <li>When a kernel throws, the cells not yet claimed are taken back, the pass ends, {@code run}
  *       throws a {@link KernelException}, and the dispatcher stays usable.
- *   <li>{@link #close} ends the run in progress, if any, after the cells in work, and joins all
- *       threads.
+ *   <li>{@link #close} ends the run in progress, if any, after the cells in work, and returns when
+ *       that run has and all threads are gone.
  * </ol>
  */
 public final class Dispatcher implements AutoCloseable {
@@ -29,13 +30,17 @@ public final class Dispatcher implements AutoCloseable {
   private final Signals signals;
   private final Handout handout;
   private final AtomicBoolean running = new AtomicBoolean();
-  private final AtomicReference<RuntimeException> failure = new AtomicReference<>();
+  private final AtomicReference<Throwable> failure = new AtomicReference<>();
   private volatile boolean closed;
   private volatile Run active = new Run();
 
   // Written by the caller before it opens a pass, read by workers under a claim.
   private Task task;
   private long epoch;
+
+  // Written by the worker whose failure came first, under its claim; read by the caller afterwards.
+  private int failedIndex;
+  private int failedWorker;
 
   /** A pass as the workers see it: tasks 0 to n - 1. */
   interface Task {
@@ -62,8 +67,14 @@ public final class Dispatcher implements AutoCloseable {
       threads[id].setDaemon(true);
       signals.register(id, threads[id]);
     }
-    for (int id = 1; id < count; id++) {
-      threads[id].start();
+    try {
+      for (int id = 1; id < count; id++) {
+        threads[id].start();
+      }
+    } catch (Throwable noMoreThreads) { // leave none behind that nobody can close
+      closed = true;
+      signals.announce(-1);
+      throw noMoreThreads;
     }
   }
 
@@ -93,23 +104,33 @@ public final class Dispatcher implements AutoCloseable {
   }
 
   /**
-   * Makes a loop over a scheme; every worker makes its scratch now.
+   * Makes a loop over a scheme; every worker makes its scratch now. The loop's tick starts at step
+   * 0, so it takes buffer 0 for the previous one: state that another loop has stepped an odd number
+   * of times is not where it looks.
    *
    * @throws IllegalStateException if a loop is running or the dispatcher is closed
+   * @throws KernelException if a scratch could not be made
+   * @throws CancellationException if the caller was interrupted or the dispatcher closed meanwhile
    */
   public <C, S> TimeLoop loop(Scheme<C, S> scheme, ScratchLifetime lifetime) {
     return TimeLoop.of(this, scheme, lifetime);
   }
 
-  /** Ends the run in progress, if any, after the cells in work, and joins the threads. */
+  /**
+   * Ends the run in progress, if any, after the cells in work, waits until it has returned, and
+   * joins the threads. Called from a kernel it does not wait.
+   */
   @Override
   public void close() {
     closed = true;
     takeBack(active.openPass);
     signals.announce(-1);
+    if (inKernel()) {
+      return;
+    }
     boolean interrupted = false;
     for (int id = 1; id < threads.length; id++) {
-      while (threads[id] != Thread.currentThread() && threads[id].isAlive()) {
+      while (threads[id].isAlive()) {
         try {
           threads[id].join();
         } catch (InterruptedException e) {
@@ -117,9 +138,26 @@ public final class Dispatcher implements AutoCloseable {
         }
       }
     }
+    while (running.get()) {
+      LockSupport.parkNanos(10_000); // the caller, on its way out of the run
+    }
     if (interrupted) {
       Thread.currentThread().interrupt();
     }
+  }
+
+  /** Whether this is one of the threads that process cells now. */
+  private boolean inKernel() {
+    Thread current = Thread.currentThread();
+    if (running.get() && signals.thread(0) == current) {
+      return true;
+    }
+    for (int id = 1; id < threads.length; id++) {
+      if (threads[id] == current) {
+        return true;
+      }
+    }
+    return false;
   }
 
   boolean closed() {
@@ -157,7 +195,8 @@ public final class Dispatcher implements AutoCloseable {
     active = run;
   }
 
-  void leave() {
+  void leave(Run run) {
+    run.cancelled = false; // whoever asked during this run has been heard
     running.set(false);
   }
 
@@ -216,10 +255,10 @@ public final class Dispatcher implements AutoCloseable {
     if (interrupted) {
       Thread.currentThread().interrupt();
     }
-    RuntimeException failed = failure.get();
-    if (failed != null) {
+    Throwable cause = failure.get();
+    if (cause != null) {
       failure.set(null);
-      throw failed;
+      throw newTask.failure(failedIndex, failedWorker, cause);
     }
     check(run);
   }
@@ -234,8 +273,11 @@ public final class Dispatcher implements AutoCloseable {
     Task current = task;
     try {
       current.run(index, worker);
-    } catch (Throwable cause) { // kept, and thrown by the caller when the pass has ended
-      failure.compareAndSet(null, current.failure(index, worker, cause));
+    } catch (Throwable cause) { // kept as it is; the caller reports it when the pass has ended
+      if (failure.compareAndSet(null, cause)) {
+        failedIndex = index;
+        failedWorker = worker;
+      }
       return tickets.drain(epoch);
     }
     if (worker == 0 && Thread.currentThread().isInterrupted()) {

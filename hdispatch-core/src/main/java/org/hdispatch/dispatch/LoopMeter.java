@@ -4,41 +4,87 @@ import java.util.ArrayList;
 import java.util.List;
 import org.hdispatch.gc.AllocationMeter;
 
-/** Adds up what the workers did while this loop ran. */
+/** Adds up what the workers did while a loop ran, run by run. */
 final class LoopMeter {
   private final Dispatcher dispatcher;
-  private final int workers;
-  private AllocationMeter allocation;
+  private final Counters atBegin;
+  private final Counters now;
+  private final Counters total;
+  private AllocationMeter allocation; // null if this JVM does not count
   private Thread caller;
-  private final long[] bytesBefore;
-  private final long[] bytes;
-  private final long[] cells;
-  private final long[] stolen;
-  private final long[] busyNanos;
+  private boolean bytesMeasured = true;
   private long steps;
-  private long nanos;
 
   LoopMeter(Dispatcher dispatcher) {
     this.dispatcher = dispatcher;
-    workers = dispatcher.workers();
-    bytesBefore = new long[workers];
-    bytes = new long[workers];
-    cells = new long[workers];
-    stolen = new long[workers];
-    busyNanos = new long[workers];
+    atBegin = new Counters(dispatcher.workers());
+    now = new Counters(dispatcher.workers());
+    total = new Counters(dispatcher.workers());
   }
 
+  /** Readings of all workers, or differences of them. */
+  private static final class Counters {
+    long nanos;
+    final long[] bytes;
+    final long[] cells;
+    final long[] stolen;
+    final long[] busyNanos;
+
+    Counters(int workers) {
+      bytes = new long[workers];
+      cells = new long[workers];
+      stolen = new long[workers];
+      busyNanos = new long[workers];
+    }
+  }
+
+  /** A run begins. */
   void begin() {
     if (caller != Thread.currentThread()) {
       caller = Thread.currentThread();
-      long[] ids = new long[workers];
-      for (int id = 0; id < workers; id++) {
-        ids[id] = threadId(dispatcher.thread(id));
-      }
-      allocation = new AllocationMeter(ids);
+      allocation = newAllocationMeter();
     }
-    add(-1);
-    allocation.read(bytesBefore);
+    read(atBegin);
+  }
+
+  /** A run has ended, after this many whole steps. */
+  void end(long stepsDone) {
+    read(now);
+    steps += stepsDone;
+    total.nanos += now.nanos - atBegin.nanos;
+    for (int id = 0; id < total.cells.length; id++) {
+      total.cells[id] += now.cells[id] - atBegin.cells[id];
+      total.stolen[id] += now.stolen[id] - atBegin.stolen[id];
+      total.busyNanos[id] += now.busyNanos[id] - atBegin.busyNanos[id];
+      total.bytes[id] += now.bytes[id] - atBegin.bytes[id];
+      bytesMeasured &= now.bytes[id] >= 0 && atBegin.bytes[id] >= 0;
+    }
+  }
+
+  private void read(Counters into) {
+    into.nanos = System.nanoTime();
+    for (int id = 0; id < into.cells.length; id++) {
+      Worker worker = dispatcher.worker(id);
+      into.cells[id] = worker.cells();
+      into.stolen[id] = worker.stolen();
+      into.busyNanos[id] = worker.busyNanos();
+      into.bytes[id] = -1;
+    }
+    if (allocation != null) {
+      allocation.read(into.bytes);
+    }
+  }
+
+  private AllocationMeter newAllocationMeter() {
+    long[] ids = new long[dispatcher.workers()];
+    for (int id = 0; id < ids.length; id++) {
+      ids[id] = threadId(dispatcher.thread(id));
+    }
+    try {
+      return new AllocationMeter(ids);
+    } catch (UnsupportedOperationException e) {
+      return null; // the statistics say "not measured"; stepping needs no meter
+    }
   }
 
   @SuppressWarnings("deprecation") // threadId() needs Java 19
@@ -46,47 +92,28 @@ final class LoopMeter {
     return thread.getId();
   }
 
-  void countStep() {
-    steps++;
-  }
-
-  void end() {
-    for (int id = 0; id < workers; id++) {
-      bytes[id] -= bytesBefore[id];
-    }
-    allocation.read(bytesBefore);
-    for (int id = 0; id < workers; id++) {
-      bytes[id] += bytesBefore[id];
-    }
-    add(1);
-  }
-
-  private void add(int sign) {
-    nanos += sign * System.nanoTime();
-    for (int id = 0; id < workers; id++) {
-      Worker worker = dispatcher.worker(id);
-      cells[id] += sign * worker.cells();
-      stolen[id] += sign * worker.stolen();
-      busyNanos[id] += sign * worker.busyNanos();
-    }
-  }
-
   void reset() {
     steps = 0;
-    nanos = 0;
-    for (int id = 0; id < workers; id++) {
-      bytes[id] = 0;
-      cells[id] = 0;
-      stolen[id] = 0;
-      busyNanos[id] = 0;
+    bytesMeasured = true;
+    total.nanos = 0;
+    for (int id = 0; id < total.cells.length; id++) {
+      total.bytes[id] = 0;
+      total.cells[id] = 0;
+      total.stolen[id] = 0;
+      total.busyNanos[id] = 0;
     }
   }
 
   LoopStats stats() {
     List<LoopStats.WorkerStats> perWorker = new ArrayList<>();
-    for (int id = 0; id < workers; id++) {
-      perWorker.add(new LoopStats.WorkerStats(cells[id], stolen[id], busyNanos[id], bytes[id]));
+    for (int id = 0; id < total.cells.length; id++) {
+      perWorker.add(
+          new LoopStats.WorkerStats(
+              total.cells[id],
+              total.stolen[id],
+              total.busyNanos[id],
+              bytesMeasured ? total.bytes[id] : LoopStats.NOT_MEASURED));
     }
-    return new LoopStats(steps, nanos, perWorker);
+    return new LoopStats(steps, total.nanos, perWorker);
   }
 }

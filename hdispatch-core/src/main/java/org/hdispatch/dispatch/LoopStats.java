@@ -12,13 +12,17 @@ import java.util.Locale;
  */
 public record LoopStats(long steps, long nanos, List<WorkerStats> workers) {
 
+  /** Stands for bytes that this JVM does not count, as on virtual threads or ended ones. */
+  public static final long NOT_MEASURED = -1;
+
   /**
    * What one worker did.
    *
    * @param cells cells processed, all passes counted
    * @param stolen those of them that came from another worker's home segment
    * @param busyNanos wall time from the first to the last cell of each pass, ns
-   * @param allocatedBytes bytes allocated by its thread while the loop ran
+   * @param allocatedBytes bytes allocated by its thread while the loop ran, or {@link
+   *     #NOT_MEASURED}
    */
   public record WorkerStats(long cells, long stolen, long busyNanos, long allocatedBytes) {}
 
@@ -36,8 +40,14 @@ public record LoopStats(long steps, long nanos, List<WorkerStats> workers) {
     return (double) busy / nanos / workers.size();
   }
 
-  /** Bytes that the worst worker allocated per step, rounded up; 0 before the first step. */
+  /**
+   * Bytes that the worst worker allocated per step, rounded up; 0 before the first step, {@link
+   * #NOT_MEASURED} if those of a worker are not known.
+   */
   public long bytesPerStep() {
+    if (workers.stream().anyMatch(worker -> worker.allocatedBytes() < 0)) {
+      return NOT_MEASURED;
+    }
     long most = workers.stream().mapToLong(WorkerStats::allocatedBytes).max().orElse(0);
     return steps == 0 ? 0 : (most + steps - 1) / steps;
   }
@@ -47,11 +57,11 @@ public record LoopStats(long steps, long nanos, List<WorkerStats> workers) {
   public String toString() {
     return String.format(
         Locale.ROOT,
-        "%d steps, %.3g us each, %d workers %.1f %% busy, %d bytes allocated per step",
+        "%d steps, %.3g us each, %d workers %.1f %% busy, %s bytes allocated per step",
         steps,
         steps == 0 ? 0 : nanos * 1e-3 / steps,
         workers.size(),
         100 * efficiency(),
-        bytesPerStep());
+        bytesPerStep() < 0 ? "unknown" : bytesPerStep());
   }
 }

@@ -13,6 +13,7 @@ import java.util.concurrent.locks.LockSupport;
  */
 final class Signals {
   private static final VarHandle WORD = MethodHandles.arrayElementVarHandle(long[].class);
+  private static final VarHandle THREAD = MethodHandles.arrayElementVarHandle(Thread[].class);
   private static final int STRIDE = 16; // 128 bytes between hot words
   private static final int EPOCH = STRIDE;
   private static final int FIRST_PARKED = 2 * STRIDE;
@@ -29,7 +30,12 @@ final class Signals {
 
   /** Says which thread a worker is. */
   void register(int worker, Thread thread) {
-    threads[worker] = thread;
+    THREAD.setVolatile(threads, worker, thread);
+  }
+
+  /** The thread of a worker. */
+  Thread thread(int worker) {
+    return (Thread) THREAD.getVolatile(threads, worker);
   }
 
   /** Announces a pass (or the end) to the workers. */
@@ -84,7 +90,7 @@ final class Signals {
   private void wake(int worker) {
     if ((long) WORD.getVolatile(words, parked(worker)) != 0) {
       WORD.setVolatile(words, parked(worker), 0L);
-      LockSupport.unpark(threads[worker]);
+      LockSupport.unpark(thread(worker)); // read after the flag: never that of an earlier run
     }
   }
 

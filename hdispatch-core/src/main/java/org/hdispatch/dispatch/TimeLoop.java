@@ -2,6 +2,7 @@ package org.hdispatch.dispatch;
 
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Objects;
 import java.util.concurrent.CancellationException;
 import java.util.function.Predicate;
 import org.hdispatch.cell.CellMap;
@@ -36,9 +37,8 @@ public final class TimeLoop {
     try {
       dispatcher.dispatch(shelf, PullTickets.equalSegments(workers, workers), Handout.STATIC, run);
     } finally {
-      dispatcher.leave();
+      dispatcher.leave(run);
     }
-    meter.reset();
   }
 
   static <C, S> TimeLoop of(Dispatcher dispatcher, Scheme<C, S> scheme, ScratchLifetime lifetime) {
@@ -48,15 +48,13 @@ public final class TimeLoop {
   /**
    * Runs this many steps.
    *
+   * @throws IllegalArgumentException if {@code steps} is negative
    * @throws KernelException if a kernel threw
    * @throws CancellationException if {@link #cancel} was called, the caller was interrupted (its
    *     interrupt status stays set) or the dispatcher closed
    * @throws IllegalStateException if the dispatcher is running a loop already or is closed
    */
   public void run(long steps) {
-    if (steps < 0) {
-      throw Refusal.negativeSteps(steps);
-    }
     runUntil(after -> false, steps);
   }
 
@@ -65,25 +63,37 @@ public final class TimeLoop {
    *
    * @param stop asked by the caller's thread after each step
    * @return whether the condition came to hold
+   * @throws IllegalArgumentException if {@code maxSteps} is negative
    * @throws KernelException as {@link #run}
    * @throws CancellationException as {@link #run}
    * @throws IllegalStateException as {@link #run}
    */
   public boolean runUntil(Predicate<Tick> stop, long maxSteps) {
+    if (maxSteps < 0) {
+      throw Refusal.negativeSteps(maxSteps);
+    }
+    Objects.requireNonNull(stop);
     dispatcher.enter(run);
+    try {
+      return meteredRun(stop, maxSteps);
+    } finally {
+      dispatcher.leave(run);
+    }
+  }
+
+  private boolean meteredRun(Predicate<Tick> stop, long maxSteps) {
+    long first = tick.step();
     meter.begin();
     try {
       for (long step = 0; step < maxSteps; step++) {
         step();
-        meter.countStep();
         if (stop.test(tick)) {
           return true;
         }
       }
       return false;
     } finally {
-      meter.end();
-      dispatcher.leave();
+      meter.end(tick.step() - first);
     }
   }
 
@@ -110,12 +120,15 @@ public final class TimeLoop {
     return tick;
   }
 
-  /** What this loop has done since it was made or {@link #resetStats} was called. */
+  /**
+   * What this loop has done since it was made or {@link #resetStats} was called. A run in progress
+   * does not count before it ends; ask on the thread that runs the loop.
+   */
   public LoopStats stats() {
     return meter.stats();
   }
 
-  /** Starts the statistics anew: after warm-up, say. */
+  /** Starts the statistics anew, between two runs: after warm-up, say. */
   public void resetStats() {
     meter.reset();
   }

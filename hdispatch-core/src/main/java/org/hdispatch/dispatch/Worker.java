@@ -38,7 +38,8 @@ final class Worker implements Runnable {
 
   /** Claims and runs tasks, from the home segment and then from the others, until none is left. */
   void pull() {
-    int done = 0;
+    int done = 0; // the cells taken back after a failure included
+    int processed = 0;
     int fromOthers = 0;
     long begin = 0;
     for (int turn = 0; turn < workers; turn++) {
@@ -52,11 +53,12 @@ final class Worker implements Runnable {
           begin = System.nanoTime();
         }
         done += 1 + dispatcher.runTask(index, id);
+        processed++;
         fromOthers += turn == 0 ? 0 : 1;
       }
     }
     if (done > 0) {
-      cells += done;
+      cells += processed;
       stolen += fromOthers;
       busyNanos += System.nanoTime() - begin;
       finish(done);

@@ -6,8 +6,10 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.util.Random;
 import java.util.concurrent.CancellationException;
+import java.util.concurrent.atomic.AtomicBoolean;
 import java.util.concurrent.locks.LockSupport;
 import org.hdispatch.cell.CellGrid;
+import org.hdispatch.cell.CellKey;
 import org.hdispatch.cell.CellMap;
 import org.hdispatch.cell.Ends;
 import org.hdispatch.cell.KeyOrder;
@@ -76,7 +78,7 @@ class DispatcherRandomStepsTest {
                 CellGrid.of(sizes[s], 1, 1, Ends.OPEN).keys(),
                 KeyOrder.ROW,
                 key -> {
-                  int index = org.hdispatch.cell.CellKey.i(key);
+                  int index = CellKey.i(key);
                   return mine[index] = new Cell(index);
                 });
         plans[s] = plan;
@@ -91,6 +93,71 @@ class DispatcherRandomStepsTest {
       for (int round = 0; round < rounds; round++) {
         int s = random.nextInt(sizes.length);
         round(plans[s], cells[s], random);
+      }
+    }
+  }
+
+  /** Cancels and interrupts that come from outside, at any moment between and within passes. */
+  @ParameterizedTest
+  @CsvSource({"1, PARK", "2, SPIN_THEN_PARK", "3, PARK"})
+  @Timeout(120)
+  void outsideCancelsLeaveEveryCellOnceOrNotAtAll(int workers, WaitPolicy policy) {
+    Cell[] cells = new Cell[64];
+    Plan plan = new Plan();
+    try (Dispatcher dispatcher = Dispatcher.builder().workers(workers).waitPolicy(policy).build()) {
+      CellMap<Cell> map =
+          CellMap.of(
+              CellGrid.of(cells.length, 1, 1, Ends.OPEN).keys(),
+              KeyOrder.ROW,
+              key -> cells[CellKey.i(key)] = new Cell(CellKey.i(key)));
+      TimeLoop loop =
+          dispatcher.loop(
+              Scheme.of(map)
+                  .scratch(Thread::currentThread)
+                  .pass("check", (cell, owner, tick) -> visit(cell, owner, tick, plan))
+                  .build());
+      Thread caller = Thread.currentThread();
+      AtomicBoolean over = new AtomicBoolean();
+      Thread outside = new Thread(() -> disturb(loop, caller, over));
+      outside.start();
+      int ended = 0;
+      for (int round = 0; round < 20_000; round++) {
+        long step = loop.tick().step();
+        for (Cell cell : cells) {
+          cell.visits = 0;
+        }
+        boolean whole = true;
+        try {
+          loop.run(1);
+        } catch (CancellationException e) {
+          whole = false;
+          ended++;
+          Thread.interrupted();
+        }
+        assertEquals(whole ? step + 1 : step, loop.tick().step());
+        for (Cell cell : cells) {
+          assertTrue(cell.visits == 1 || !whole && cell.visits == 0, "visits=" + cell.visits);
+        }
+      }
+      over.set(true);
+      while (outside.isAlive()) { // it may still interrupt
+        Thread.onSpinWait();
+      }
+      Thread.interrupted();
+      assertTrue(ended > 0, "nothing was ever disturbed");
+    }
+  }
+
+  private static void disturb(TimeLoop loop, Thread caller, AtomicBoolean over) {
+    Random random = new Random(SEED);
+    while (!over.get()) {
+      for (int pause = random.nextInt(2_000); pause > 0; pause--) {
+        Thread.onSpinWait();
+      }
+      if (random.nextBoolean()) {
+        loop.cancel();
+      } else {
+        caller.interrupt();
       }
     }
   }
@@ -131,7 +198,7 @@ class DispatcherRandomStepsTest {
     } catch (KernelException e) {
       failed = true;
       assertSame(Thrown.class, e.getCause().getClass());
-      assertEquals(where, org.hdispatch.cell.CellKey.i(e.cellKey()));
+      assertEquals(where, CellKey.i(e.cellKey()));
       assertEquals(step, e.step());
     } catch (CancellationException e) {
       ended = true;

@@ -169,6 +169,63 @@ class DispatcherTest {
     }
   }
 
+  @Test
+  void makesScratchAnewPerStepOnRequest() {
+    Object[] last = new Object[1];
+    long[] lastStep = {-1};
+    try (Dispatcher dispatcher = Dispatcher.withWorkers(1)) {
+      CellKernel<Counter, Object> kernel =
+          (cell, scratch, tick) -> {
+            if (tick.step() == lastStep[0]) {
+              assertSame(last[0], scratch);
+            } else {
+              assertNotSame(last[0], scratch);
+            }
+            last[0] = scratch;
+            lastStep[0] = tick.step();
+          };
+      Scheme<Counter, Object> scheme =
+          Scheme.of(counters(10))
+              .scratch(Object::new)
+              .pass("first", kernel)
+              .pass("second", kernel)
+              .build();
+      dispatcher.loop(scheme, ScratchLifetime.PER_STEP).run(5);
+    }
+  }
+
+  @Test
+  void statisticsCountARunWhenItHasEnded() {
+    try (Dispatcher dispatcher = Dispatcher.withWorkers(2)) {
+      TimeLoop loop = dispatcher.loop(counting(counters(8)));
+      loop.run(3);
+      loop.runUntil(
+          tick -> {
+            assertEquals(3, loop.stats().steps());
+            assertTrue(loop.stats().nanos() > 0);
+            return false;
+          },
+          4);
+      assertEquals(7, loop.stats().steps());
+      assertEquals(7 * 8, loop.stats().workers().stream().mapToLong(w -> w.cells()).sum());
+      loop.resetStats();
+      assertEquals(0, loop.stats().steps());
+      assertEquals(0, loop.stats().nanos());
+    }
+  }
+
+  @Test
+  void refusesNegativeStepsAndStaysUsable() {
+    try (Dispatcher dispatcher = Dispatcher.withWorkers(1)) {
+      TimeLoop loop = dispatcher.loop(counting(counters(1)));
+      assertThrows(IllegalArgumentException.class, () -> loop.run(-1));
+      assertThrows(IllegalArgumentException.class, () -> loop.runUntil(tick -> false, -1));
+      assertThrows(NullPointerException.class, () -> loop.runUntil(null, 1));
+      loop.run(1);
+      assertEquals(1, loop.tick().step());
+    }
+  }
+
   @ParameterizedTest
   @ValueSource(ints = {1, 2})
   void allocatesNothingAfterWarmUp(int workers) {
@@ -249,6 +306,37 @@ class DispatcherTest {
       KernelException e = assertThrows(KernelException.class, () -> dispatcher.loop(scheme));
       assertEquals(OutOfMemoryError.class, e.getCause().getClass());
       dispatcher.loop(counting(counters(5))).run(5);
+    }
+  }
+
+  /** What cannot even be described must end the step all the same, on whichever worker. */
+  @ParameterizedTest
+  @EnumSource(Handout.class)
+  void failureThatCannotBeDescribedEndsTheStep(Handout handout) {
+    CellMap<Counter> cells = counters(100);
+    try (Dispatcher dispatcher = Dispatcher.builder().workers(2).handout(handout).build()) {
+      TimeLoop loop =
+          dispatcher.loop(
+              Scheme.of(cells)
+                  .pass(
+                      "fail",
+                      (cell, scratch, tick) -> {
+                        if (CellKey.i(cell.key) == 99) { // in the home segment of worker 1
+                          throw new IllegalStateException() {
+                            private static final long serialVersionUID = 1L;
+
+                            @Override
+                            public String getMessage() {
+                              throw new ArithmeticException("no message");
+                            }
+                          };
+                        }
+                      })
+                  .build());
+      for (int round = 0; round < 50; round++) {
+        assertThrows(ArithmeticException.class, () -> loop.run(1));
+      }
+      dispatcher.loop(counting(cells)).run(5);
     }
   }
 

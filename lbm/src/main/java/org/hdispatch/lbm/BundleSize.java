@@ -18,7 +18,7 @@ public record BundleSize(int nx, int ny, int nz) {
   /**
    * Checks the extents.
    *
-   * @throws IllegalArgumentException if an extent is less than 1 or the bundle has 2^27 nodes or
+   * @throws IllegalArgumentException if an extent is less than 1 or the bundle has 2^26 nodes or
    *     more
    */
   public BundleSize {
@@ -26,9 +26,9 @@ public record BundleSize(int nx, int ny, int nz) {
       throw new IllegalArgumentException(
           "bundle must be at least 1 node along each axis: nx=" + nx + ", ny=" + ny + ", nz=" + nz);
     }
-    if ((double) nx * ny * nz >= 1 << 27) {
+    if ((double) nx * ny * nz >= 1 << 26) {
       throw new IllegalArgumentException(
-          "bundle must have less than 2^27 nodes: nx=" + nx + ", ny=" + ny + ", nz=" + nz);
+          "bundle must have less than 2^26 nodes: nx=" + nx + ", ny=" + ny + ", nz=" + nz);
     }
   }
 

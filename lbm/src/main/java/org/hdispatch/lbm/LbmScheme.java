@@ -137,14 +137,15 @@ public final class LbmScheme implements Scheme<NodalBundle, LbmScheme.Scratch> {
     }
   }
 
-  /** Receives density and velocity of a node. */
+  /** Receives density and momentum of a node. */
   @FunctionalInterface
   public interface NodeVisitor {
     /**
      * Visits one fluid node.
      *
      * @param density rho
-     * @param ux momentum over mean density, first component
+     * @param ux momentum over mean density (the velocity, but for the small changes of density that
+     *     the quadratic equilibrium sees), first component
      * @param uy second component
      * @param uz third component
      */
@@ -152,7 +153,7 @@ public final class LbmScheme implements Scheme<NodalBundle, LbmScheme.Scratch> {
   }
 
   /**
-   * Visits every fluid node, bundle by bundle in key order, between two steps.
+   * Visits every fluid node, bundle by bundle in the order of hand-out, between two steps.
    *
    * @param tick clock of the loop that runs this scheme
    */

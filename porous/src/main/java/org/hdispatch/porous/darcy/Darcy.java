@@ -13,7 +13,9 @@ public final class Darcy {
    *   g (L + 2 B) = nu q (L/k + 2 B/k_slab)
    * </pre>
    *
-   * For rock, k is so much less than k_slab that this is k = nu q L/(g (L + 2 B)).
+   * For rock, k is so much less than k_slab that this is k = nu q L/(g (L + 2 B)). The slabs never
+   * take more than their own length of the drive, so that k is at most nu q/g: no rock is more
+   * permeable than the empty cross-section.
    *
    * @param viscosity kinematic viscosity nu, voxel²/step
    * @param flux superficial velocity q: mean over the whole rock box, solid included, voxel/step
@@ -26,7 +28,7 @@ public final class Darcy {
   public static double permeability(
       double viscosity, double flux, double force, int length, int layers, double slab) {
     double drive = force * (length + 2.0 * layers) - viscosity * flux * 2 * layers / slab;
-    return viscosity * flux * length / drive;
+    return viscosity * flux * length / Math.max(drive, force * length);
   }
 
   /**
@@ -37,6 +39,8 @@ public final class Darcy {
    *   k = a²/3 (1 - 192 a/(pi⁵ b) sum_{i = 1, 3, 5 ...} tanh(i pi b/(2 a))/i⁵)
    * </pre>
    *
+   * <p>Strict: the same bits on every JVM.
+   *
    * @param width one side, voxels
    * @param height the other side, voxels
    * @return k in voxel²
@@ -46,8 +50,8 @@ public final class Darcy {
     double b = Math.max(width, height) / 2;
     double sum = 0;
     for (int i = 1; i < 200; i += 2) {
-      sum += Math.tanh(i * Math.PI * b / (2 * a)) / Math.pow(i, 5);
+      sum += StrictMath.tanh(i * Math.PI * b / (2 * a)) / StrictMath.pow(i, 5);
     }
-    return a * a / 3 * (1 - 192 * a / (Math.pow(Math.PI, 5) * b) * sum);
+    return a * a / 3 * (1 - 192 * a / (StrictMath.pow(Math.PI, 5) * b) * sum);
   }
 }

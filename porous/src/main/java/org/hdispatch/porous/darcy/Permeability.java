@@ -12,18 +12,23 @@ public record Permeability(double voxel2, OptionalDouble voxelEdge) {
   /** One darcy in m². */
   public static final double DARCY = 9.869233e-13;
 
+  private static final double LEAST_EDGE = 1e-15;
+  private static final double MOST_EDGE = 1e3;
+
   /**
    * Checks the number.
    *
-   * @throws IllegalArgumentException if {@code voxel2} is not finite or the edge not positive
+   * @throws IllegalArgumentException if {@code voxel2} is not finite or the edge not between 1e-15
+   *     and 1e3 m
    */
   public Permeability {
     if (!Double.isFinite(voxel2)) {
       throw new IllegalArgumentException("permeability must be finite: k=" + voxel2 + " voxel²");
     }
-    if (voxelEdge.isPresent() && !(voxelEdge.getAsDouble() > 0)) {
+    double edge = voxelEdge.orElse(1);
+    if (!(edge >= LEAST_EDGE && edge <= MOST_EDGE)) {
       throw new IllegalArgumentException(
-          "voxel edge must be positive: edge=" + voxelEdge.getAsDouble() + " m");
+          "voxel edge must be positive, from 1e-15 to 1e3 m: edge=" + edge + " m");
     }
   }
 

@@ -11,13 +11,16 @@ import java.util.OptionalDouble;
  * @param pressureGradient pressure drop per length, Pa/m
  */
 public record PhysicalFlow(double viscosity, double density, double pressureGradient) {
+  private static final double LEAST = 1e-30;
+  private static final double MOST = 1e30;
+
   /** Water at 20 °C under 1 kPa/m. */
   public static final PhysicalFlow WATER = new PhysicalFlow(1e-6, 1000, 1000);
 
   /**
    * Checks that all are positive.
    *
-   * @throws IllegalArgumentException if one is not a positive number
+   * @throws IllegalArgumentException if one is not a number from 1e-30 to 1e30
    */
   public PhysicalFlow {
     requirePositive("viscosity", viscosity, "m2/s");
@@ -26,9 +29,10 @@ public record PhysicalFlow(double viscosity, double density, double pressureGrad
   }
 
   private static void requirePositive(String name, double value, String unit) {
-    if (!(value > 0 && value < Double.POSITIVE_INFINITY)) {
+    if (!(value >= LEAST && value <= MOST)) {
+      String must = value > 0 ? " must lie between 1e-30 and 1e30: " : " must be positive: ";
       throw new IllegalArgumentException(
-          name + " must be positive: " + name.replace(' ', '_') + "=" + value + " " + unit);
+          name + must + name.replace(' ', '_') + "=" + value + " " + unit);
     }
   }
 
@@ -49,7 +53,7 @@ public record PhysicalFlow(double viscosity, double density, double pressureGrad
    * Reynolds number of the mean pore velocity and the hydraulic diameter.
    *
    * @param poreVelocity mean velocity within the pores, m/s
-   * @param hydraulicDiameter 4 volume / surface of the pores, m
+   * @param hydraulicDiameter hydraulic diameter of the pores, m
    */
   public double reynolds(double poreVelocity, double hydraulicDiameter) {
     return poreVelocity * hydraulicDiameter / viscosity;

@@ -118,7 +118,7 @@ final class FlowDomain {
     return Double.POSITIVE_INFINITY;
   }
 
-  /** 4 volume / surface of the rock's pores, voxels. */
+  /** See {@link PoreWidth#hydraulicDiameter}. */
   double hydraulicDiameter() {
     return hydraulicDiameter;
   }

@@ -14,8 +14,9 @@ import org.hdispatch.porous.image.Axis;
  *   <li>{@code velocity}: u nu / G in voxel², where rho G is the pressure drop over the rock per
  *       length; its mean along the flow over the rock box is the permeability. Physical: u =
  *       velocity edge² (dp/dx)/mu.
- *   <li>{@code pressure}: p / (rho G) in voxels, from 0 at the inlet to about -L at the outlet.
- *       Physical: p = pressure edge (dp/dx).
+ *   <li>{@code pressure}: p / (rho G) in voxels, 0 on average over the first layer of the rock,
+ *       about -L at the last one; 0 also in pores that do not span. Physical: p = pressure edge
+ *       (dp/dx).
  * </ul>
  */
 public final class FlowField {
@@ -59,7 +60,30 @@ public final class FlowField {
             field.pressure[voxel] = (float) ((density - 1) / (3 * drive) - fall * (along + 0.5));
           }
         });
+    field.pressureFromInlet(domain);
     return field;
+  }
+
+  /** Shifts the pressure so that its mean over the first layer of connected pores is 0. */
+  private void pressureFromInlet(FlowDomain domain) {
+    double sum = 0;
+    int count = 0;
+    for (int voxel = 0; voxel < pressure.length; voxel++) {
+      if (domain.rock().isPore(voxel) && layer(domain, voxel) == 0) {
+        sum += pressure[voxel];
+        count++;
+      }
+    }
+    double inlet = sum / count;
+    for (int voxel = 0; voxel < pressure.length; voxel++) {
+      if (domain.rock().isPore(voxel)) {
+        pressure[voxel] -= (float) inlet;
+      }
+    }
+  }
+
+  private int layer(FlowDomain domain, int voxel) {
+    return domain.axis().length(voxel % nx, voxel / nx % ny, voxel / (nx * ny));
   }
 
   /** Voxels along x. */

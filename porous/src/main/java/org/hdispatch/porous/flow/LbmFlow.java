@@ -42,7 +42,10 @@ public final class LbmFlow {
    * @return the flow; k = 0 without a step if no cluster spans
    * @throws IllegalArgumentException if fluid is nowhere held back by a wall
    * @throws DivergedException if k becomes infinite or not a number
-   * @throws java.util.concurrent.CancellationException if the caller is interrupted
+   * @throws IllegalStateException if the dispatcher is running a loop or is closed
+   * @throws org.hdispatch.dispatch.KernelException if a worker fails, out of memory say
+   * @throws java.util.concurrent.CancellationException if the caller is interrupted or the
+   *     dispatcher closed meanwhile
    */
   public static SteadyFlow solve(
       Dispatcher dispatcher, PoreSpace space, FlowOptions options, FlowListener listener) {
@@ -57,8 +60,8 @@ public final class LbmFlow {
   }
 
   /**
-   * Heap that a computation needs, in bytes: two copies of the populations, streaming plan, set-up
-   * and image. An estimate from above, for a pore space that spans as a whole.
+   * Heap that a computation needs, in bytes: two copies of the populations, streaming plan, set-up,
+   * pore space and field. An estimate from above, for a pore space that spans as a whole.
    *
    * @throws IllegalArgumentException if fluid is nowhere held back by a wall
    */
@@ -66,7 +69,7 @@ public final class LbmFlow {
     int velocities = options.velocitySet().size();
     long slabs = 2L * new FlowDomain(space, options).slabVoxels();
     long perNode = 2L * velocities * (Double.BYTES + Integer.BYTES) + Integer.BYTES;
-    long perVoxel = Integer.BYTES + 2;
+    long perVoxel = Integer.BYTES + 2 + 4 * Float.BYTES;
     return (space.poreVoxels() + slabs) * perNode + (space.voxels() + slabs) * perVoxel;
   }
 
@@ -180,7 +183,11 @@ public final class LbmFlow {
       if (!Double.isFinite(permeability)) {
         throw new DivergedException(steps(), relaxationTime);
       }
-      error.add(permeability, flux.imbalance());
+      error.add(
+          permeability,
+          flux.imbalance(),
+          RelaxationChoice.momentumLeft(
+              domain.hydraulicDiameter(), scheme.relaxation().viscosity(), steps()));
       listener.progressed(
           new FlowListener.Progress(
               steps(),

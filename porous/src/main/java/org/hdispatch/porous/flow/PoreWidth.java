@@ -15,7 +15,8 @@ final class PoreWidth {
   private PoreWidth() {}
 
   /**
-   * Hydraulic diameter, 4 volume / surface of the pores, in voxels; 0 if there are no pores.
+   * Hydraulic diameter, 4 volume / surface of the pores, in voxels; 0 if there are no pores. The
+   * surface is that of the smooth rock, two thirds of the voxel faces.
    *
    * @param rock the part of the pore space in which fluid flows
    * @throws IllegalArgumentException if there is no wall at all: nothing would hold the flow back

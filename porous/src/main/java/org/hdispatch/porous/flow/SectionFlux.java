@@ -97,6 +97,7 @@ final class SectionFlux {
     private final NodalBundle bundle;
     private final int firstSection;
     private final double[] sums;
+    private final LbmScheme.NodeVisitor add = this::add; // made once: nothing allocates in a pass
     private double highestSquare;
 
     Part(NodalBundle bundle) {
@@ -119,7 +120,7 @@ final class SectionFlux {
     void sum(Tick clock, LbmScheme.Scratch scratch) {
       Arrays.fill(sums, 0);
       highestSquare = 0;
-      flow.forEachNode(bundle, scratch, clock, this::add);
+      flow.forEachNode(bundle, scratch, clock, add);
     }
 
     private void add(int x, int y, int z, double density, double ux, double uy, double uz) {

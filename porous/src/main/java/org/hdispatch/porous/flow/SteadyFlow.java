@@ -37,8 +37,8 @@ public record SteadyFlow(
   /**
    * What was chosen from the pore space, or given.
    *
-   * @param hydraulicDiameter 4 volume / surface of the connected pores, voxels; NaN if nothing
-   *     spans
+   * @param hydraulicDiameter 4 volume / surface of the connected pores, the surface being two
+   *     thirds of the voxel faces, voxels; NaN if nothing spans
    * @param relaxationTime tau; NaN if nothing spans
    * @param inletLayers layers of fluid at each end; 0 if the inlet is periodic or nothing spans
    */

@@ -76,7 +76,7 @@ public enum SpherePacking {
               + ", limit="
               + closePacking);
     }
-    return size * Math.cbrt(3 * solidFraction / (4 * Math.PI * spheresPerCell()));
+    return size * StrictMath.cbrt(3 * solidFraction / (4 * Math.PI * spheresPerCell()));
   }
 
   /**

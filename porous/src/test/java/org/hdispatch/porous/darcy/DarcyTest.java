@@ -10,6 +10,9 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 
 class DarcyTest {
+  private static final long DUCT_32_33 = 4630417613712655500L;
+  private static final long DUCT_37_41 = 4632663446675195031L;
+
   @Test
   void oneDarcyIsAThousandMilliDarcy() {
     Permeability k = new Permeability(1, OptionalDouble.of(Math.sqrt(Permeability.DARCY)));
@@ -40,7 +43,7 @@ class DarcyTest {
     IllegalArgumentException e =
         assertThrows(
             IllegalArgumentException.class, () -> new Permeability(1, OptionalDouble.of(0)));
-    assertEquals("voxel edge must be positive: edge=0.0 m", e.getMessage());
+    assertEquals("voxel edge must be positive, from 1e-15 to 1e3 m: edge=0.0 m", e.getMessage());
   }
 
   @Test
@@ -67,6 +70,19 @@ class DarcyTest {
   }
 
   @Test
+  void slabsNeverTakeMoreThanTheirShareOfTheDrive() {
+    double free = Darcy.permeability(0.1, 2e-4, 1e-5, 100, 0, Double.POSITIVE_INFINITY);
+    assertEquals(free, Darcy.permeability(0.1, 2e-4, 1e-5, 100, 7, free / 10), 1e-15);
+  }
+
+  /** Where tanh of JDK 17 and 25 differ in the last bit, k must not. */
+  @Test
+  void ductPermeabilityHasTheSameBitsOnEveryJvm() {
+    assertEquals(DUCT_32_33, Double.doubleToLongBits(Darcy.ductPermeability(32, 33)));
+    assertEquals(DUCT_37_41, Double.doubleToLongBits(Darcy.ductPermeability(37, 41)));
+  }
+
+  @Test
   void waterThroughADarcyFollowsDarcysLaw() {
     Permeability k = new Permeability(1, OptionalDouble.of(1e-6)); // 1e-12 m²
     PhysicalFlow flow = new PhysicalFlow(1e-6, 1000, 2000);
@@ -80,7 +96,9 @@ class DarcyTest {
     IllegalArgumentException e =
         assertThrows(
             IllegalArgumentException.class, () -> new PhysicalFlow(1e-6, 1000, Double.NaN));
-    assertEquals("pressure gradient must be positive: pressure_gradient=NaN Pa/m", e.getMessage());
+    assertEquals(
+        "pressure gradient must be positive: pressure_gradient=NaN Pa/m",
+        e.getMessage());
     assertThrows(IllegalArgumentException.class, () -> new PhysicalFlow(0, 1000, 1));
     assertThrows(IllegalArgumentException.class, () -> new PhysicalFlow(1e-6, -1, 1));
   }

@@ -12,10 +12,10 @@ class ErrorOfSteadyStateTest {
     ErrorOfSteadyState error = new ErrorOfSteadyState();
     assertEquals(Double.POSITIVE_INFINITY, error.lastChange());
     for (int n = 0; n < 4; n++) {
-      error.add(1 + Math.pow(0.1, n), 0);
+      error.add(1 + Math.pow(0.1, n), 0, 0);
       assertEquals(Double.POSITIVE_INFINITY, error.estimate());
     }
-    error.add(1.00001, 0);
+    error.add(1.00001, 0, 0);
     assertTrue(Double.isFinite(error.estimate()));
   }
 
@@ -33,18 +33,18 @@ class ErrorOfSteadyStateTest {
     double truth = 0;
     for (int n = 0; n < 200; n++) {
       truth = 0.7 * Math.exp(-0.05 * n);
-      error.add(1 + truth, 0);
+      error.add(1 + truth, 0, 0);
     }
     assertTrue(error.estimate() < 6 * truth, error.estimate() + " against " + truth);
   }
 
   @Test
-  void isNotFooledWhenASlowDecayFollowsAFastOne() {
+  void isNotFooledByASlowDecayOnceTheFastOneIsOver() {
     assertBounds(n -> 1 + 0.02 * Math.exp(-n / 300.0) + Math.exp(-n / 5.0), 1, 3_000, 200);
   }
 
   @Test
-  void isNotFooledByTheTurnOfAnOvershoot() {
+  void isNotFooledByTurnsOnceTheFirstSwingsAreOver() {
     assertBounds(n -> 1 + 0.5 * Math.exp(-n / 40.0) * Math.cos(n / 15.0), 1, 800, 200);
   }
 
@@ -52,7 +52,7 @@ class ErrorOfSteadyStateTest {
   void isInfiniteWhileTheChangesGrow() {
     ErrorOfSteadyState error = new ErrorOfSteadyState();
     for (int n = 0; n < 50; n++) {
-      error.add(Math.exp(0.1 * n), 0);
+      error.add(Math.exp(0.1 * n), 0, 0);
     }
     assertEquals(Double.POSITIVE_INFINITY, error.estimate());
   }
@@ -61,10 +61,20 @@ class ErrorOfSteadyStateTest {
   void isNeverBelowTheImbalanceOfTheFluxes() {
     ErrorOfSteadyState error = new ErrorOfSteadyState();
     for (int n = 0; n < 50; n++) {
-      error.add(1, 0.03);
+      error.add(1, 0.03, 0);
     }
     assertEquals(0.03, error.estimate());
     assertEquals(0, error.lastChange());
+  }
+
+  @Test
+  void isNeverBelowWhatMomentumLeaves() {
+    ErrorOfSteadyState error = new ErrorOfSteadyState();
+    for (int n = 0; n < 50; n++) {
+      error.add(1, 0, 0.2);
+    }
+    assertEquals(0.2, error.estimate());
+    assertEquals(0.37, RelaxationChoice.momentumLeft(9, 0.01, 156), 0.01); // R = 3: one e-folding
   }
 
   private static void assertBounds(IntToDoubleFunction k, double limit, int samples) {
@@ -75,7 +85,7 @@ class ErrorOfSteadyStateTest {
     ErrorOfSteadyState error = new ErrorOfSteadyState();
     for (int n = 0; n < samples; n++) {
       double value = k.applyAsDouble(n);
-      error.add(value, 0);
+      error.add(value, 0, 0);
       double truth = Math.abs(value - limit) / value;
       if (n >= from && truth > 1e-12) {
         assertTrue(

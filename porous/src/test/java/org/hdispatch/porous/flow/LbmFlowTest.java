@@ -17,6 +17,7 @@ import org.hdispatch.porous.pore.SpherePacking;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.EnumSource;
+import org.junit.jupiter.params.provider.ValueSource;
 
 class LbmFlowTest {
   private static SteadyFlow solve(PoreSpace space, FlowOptions options) {
@@ -124,6 +125,7 @@ class LbmFlowTest {
     }
     assertEquals(flow.permeability(), sum / open.voxels(), 1e-6 * flow.permeability()); // float
     float[] p = field.pressure();
+    assertEquals(0, p[open.index(5, 5, 0)], 1e-4);
     // The slabs are a duct like the rock, but for the O(1/W²) error of the lattice.
     assertEquals(-10, p[open.index(5, 5, 10)] - p[open.index(5, 5, 0)], 0.03);
   }
@@ -198,6 +200,21 @@ class LbmFlowTest {
     assertEquals(3, solve(tube, options.withInletLayers(3)).chosen().inletLayers());
     FlowOptions periodic = options.withBoundaries(Sides.WALL, Inlet.PERIODIC);
     assertEquals(0, solve(tube, periodic).chosen().inletLayers());
+  }
+
+  /** The tolerance is kept by the true error, at fitting and at unfitting tau, tight and loose. */
+  @ParameterizedTest
+  @ValueSource(doubles = {0, 0.502, 0.52, 0.6, 1, 3})
+  void trueErrorIsBelowTheTolerance(double tau) {
+    PoreSpace rock = maze(14, 12, 16);
+    double truth = solve(rock, FlowOptions.DEFAULT.withTolerance(1e-6)).permeability();
+    for (double tolerance : new double[] {0.3, 0.1, 1e-2, 1e-3}) {
+      FlowOptions options = FlowOptions.DEFAULT.withTolerance(tolerance);
+      SteadyFlow flow = solve(rock, tau == 0 ? options : options.withRelaxationTime(tau));
+      assertTrue(flow.converged());
+      double error = Math.abs(flow.permeability() / truth - 1);
+      assertTrue(error <= tolerance, "tolerance " + tolerance + ", error " + error);
+    }
   }
 
   @Test
