@@ -129,7 +129,7 @@ class WrongInputTest {
         "--tolerance | Infinity | tolerance must lie between 0 and 1",
         "--viscosity | NaN | viscosity must be positive: viscosity=NaN m2/s",
         "--density | -1 | density must be positive: density=-1.0 kg/m3",
-        "--pressure-gradient | Infinity | pressure gradient must be positive",
+        "--pressure-gradient | Infinity | pressure gradient must lie between",
         "--threads | 0 | threads must number 1 to 4096: threads=0",
         "--threads | two | --threads must be an integer: --threads=two",
         "--max-steps | 0 | steps must number at least 1: steps=0",

@@ -160,7 +160,7 @@ final class Hdf5Access {
       throw new ImageFileException(
           "attribute "
               + VOXEL_EDGE
-              + " must be one positive number, the same along all axes: file="
+              + " must be one positive number, the same along all axes (correct or remove it): file="
               + file
               + ", dataset="
               + path

@@ -96,9 +96,7 @@ class DarcyTest {
     IllegalArgumentException e =
         assertThrows(
             IllegalArgumentException.class, () -> new PhysicalFlow(1e-6, 1000, Double.NaN));
-    assertEquals(
-        "pressure gradient must be positive: pressure_gradient=NaN Pa/m",
-        e.getMessage());
+    assertEquals("pressure gradient must be positive: pressure_gradient=NaN Pa/m", e.getMessage());
     assertThrows(IllegalArgumentException.class, () -> new PhysicalFlow(0, 1000, 1));
     assertThrows(IllegalArgumentException.class, () -> new PhysicalFlow(1e-6, -1, 1));
   }
