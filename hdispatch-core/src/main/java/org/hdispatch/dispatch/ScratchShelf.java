@@ -4,6 +4,9 @@ import java.util.function.Supplier;
 
 /** The scratch of every worker; as a task it makes them, each on its worker's thread. */
 final class ScratchShelf<S> implements Dispatcher.Task {
+  /** Slots between those of two workers, so that no cache line holds both: 32 references. */
+  private static final int STRIDE = 32;
+
   private final Supplier<S> newScratch;
   private final ScratchLifetime lifetime;
   private final Object[] scratch;
@@ -12,8 +15,8 @@ final class ScratchShelf<S> implements Dispatcher.Task {
   ScratchShelf(Supplier<S> newScratch, int workers, ScratchLifetime lifetime) {
     this.newScratch = newScratch;
     this.lifetime = lifetime;
-    scratch = new Object[workers];
-    madeInStep = new long[workers];
+    scratch = new Object[workers * STRIDE];
+    madeInStep = new long[workers * STRIDE];
   }
 
   @SuppressWarnings("unchecked") // only scratch of type S is ever stored
@@ -21,19 +24,19 @@ final class ScratchShelf<S> implements Dispatcher.Task {
     if (lifetime != ScratchLifetime.ENDURING) {
       renew(worker, tick);
     }
-    return (S) scratch[worker];
+    return (S) scratch[worker * STRIDE];
   }
 
   private void renew(int worker, Tick tick) {
-    if (lifetime == ScratchLifetime.PER_CELL || madeInStep[worker] != tick.step()) {
-      madeInStep[worker] = tick.step();
-      scratch[worker] = newScratch.get();
+    if (lifetime == ScratchLifetime.PER_CELL || madeInStep[worker * STRIDE] != tick.step()) {
+      madeInStep[worker * STRIDE] = tick.step();
+      scratch[worker * STRIDE] = newScratch.get();
     }
   }
 
   @Override
   public void run(int index, int worker) {
-    scratch[worker] = newScratch.get();
+    scratch[worker * STRIDE] = newScratch.get();
   }
 
   @Override

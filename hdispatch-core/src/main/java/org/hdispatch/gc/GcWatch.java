@@ -23,10 +23,11 @@ import jdk.jfr.Recording;
  * }</pre>
  *
  * <p>Recorded with JDK Flight Recorder and read after the end, so nothing that happened in a window
- * is missed or comes late; an event belongs to the window in which it began. Starting and stopping
- * the recorder themselves stop all threads for a moment: both lie outside the windows. While open,
- * the recorder writes to the folder of temporary files and allocates a little on threads of its
- * own.
+ * comes late; an event belongs to the window in which it began. A concurrent collection that is
+ * still under way when the watch stops is not counted, for its event is written at its end.
+ * Starting and stopping the recorder themselves stop all threads for a moment: both lie outside the
+ * windows. While open, the recorder writes to the folder of temporary files and allocates a little
+ * on threads of its own.
  *
  * <p>For one thread. Several watches may be open at the same time.
  */
