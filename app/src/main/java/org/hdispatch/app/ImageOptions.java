@@ -4,9 +4,9 @@ import java.nio.file.Path;
 import java.util.List;
 import java.util.Optional;
 import java.util.OptionalDouble;
+import org.hdispatch.porous.darcy.Permeability;
 import org.hdispatch.porous.image.LabelRule;
 import org.hdispatch.porous.image.VoxelBox;
-import org.hdispatch.porous.image.VoxelImage;
 import picocli.CommandLine.Option;
 import picocli.CommandLine.Parameters;
 
@@ -99,10 +99,7 @@ final class ImageOptions {
 
   /** The given edge, checked, or else the known one. */
   OptionalDouble voxelEdgeOr(OptionalDouble known) {
-    if (voxelEdge == null) {
-      return known;
-    }
-    VoxelImage one = VoxelImage.of(1, 1, 1, new byte[1]);
-    return UsageException.orRefused(() -> one.withVoxelEdge(voxelEdge)).voxelEdge();
+    OptionalDouble edge = voxelEdge == null ? known : OptionalDouble.of(voxelEdge);
+    return UsageException.orRefused(() -> new Permeability(0, edge)).voxelEdge();
   }
 }

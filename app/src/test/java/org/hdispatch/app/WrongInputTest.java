@@ -111,9 +111,9 @@ class WrongInputTest {
   @Test
   void voxelEdgeMustBeKnownAndPositive() {
     permeability("image.raw", "--dims", "4,4,4").assertRefused(2, "give --voxel-edge");
-    for (String edge : List.of("0", "-1e-6", "NaN", "Infinity")) {
+    for (String edge : List.of("0", "-1e-6", "1e-200", "NaN", "Infinity")) {
       permeability("image.raw", "--dims", "4,4,4", "--voxel-edge", edge)
-          .assertRefused(2, "voxel edge must be positive and finite: edge=");
+          .assertRefused(2, "voxel edge must be positive, from 1e-15 to 1e3 m: edge=");
     }
   }
 
