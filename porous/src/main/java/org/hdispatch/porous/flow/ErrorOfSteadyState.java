@@ -8,8 +8,8 @@ import java.util.Arrays;
  * <p>Three estimates, and the largest of them counts:
  *
  * <ul>
- *   <li>The decay of its changes, extrapolated. With D1 the range of k over the last eighth of the
- *       steps and D2 that over the eighth before, the changes shrink by r = D1/D2 each time, and D1
+ *   <li>The decay of its changes, extrapolated. With D1 the range of k over the last sixth of the
+ *       steps and D2 that over the sixth before, the changes shrink by r = D1/D2 each time, and D1
  *       r/(1 - r) remains to come. r below 2/3 counts as 2/3, so that a lucky pause is not taken
  *       for the end.
  *   <li>The imbalance of the fluxes through the sections of the rock, which shows what the decay
@@ -20,7 +20,7 @@ import java.util.Arrays;
  * </ul>
  */
 final class ErrorOfSteadyState {
-  private static final int LEAST_WINDOW = 2;
+  private static final int LEAST_WINDOW = 4;
   private static final double LEAST_RATIO = 2.0 / 3;
 
   private double[] values = new double[64];
@@ -58,7 +58,7 @@ final class ErrorOfSteadyState {
   }
 
   private double extrapolatedDecay() {
-    int window = Math.max(LEAST_WINDOW, count / 8);
+    int window = Math.max(LEAST_WINDOW, count / 6);
     if (count < 2 * window + 1) {
       return Double.POSITIVE_INFINITY;
     }
