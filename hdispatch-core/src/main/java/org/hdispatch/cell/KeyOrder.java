@@ -56,6 +56,62 @@ public enum KeyOrder {
     return codes;
   }
 
+  /**
+   * Less than, equal to or greater than 0 as the first key comes before, with or after the other.
+   */
+  int compare(long key, long other) {
+    return Long.compare(code(key), code(other));
+  }
+
+  /**
+   * Brings the first {@code count} keys into this order, each once.
+   *
+   * @return how many are left
+   */
+  int sortDistinct(long[] keys, int count) {
+    for (int n = 0; n < count; n++) {
+      keys[n] = code(keys[n]);
+    }
+    heapSort(keys, count);
+    int distinct = 0;
+    for (int n = 0; n < count; n++) {
+      long key = key(keys[n]);
+      if (distinct == 0 || keys[distinct - 1] != key) {
+        keys[distinct++] = key;
+      }
+    }
+    return distinct;
+  }
+
+  /** Sorts in place. {@code Arrays.sort} does too, but allocates where it finds sorted runs. */
+  private static void heapSort(long[] values, int count) {
+    for (int root = count / 2 - 1; root >= 0; root--) {
+      siftDown(values, root, count);
+    }
+    for (int end = count - 1; end > 0; end--) {
+      long last = values[end];
+      values[end] = values[0];
+      values[0] = last;
+      siftDown(values, 0, end);
+    }
+  }
+
+  private static void siftDown(long[] values, int start, int count) {
+    long value = values[start];
+    int hole = start;
+    for (int child = 2 * hole + 1; child < count; child = 2 * hole + 1) {
+      if (child + 1 < count && values[child + 1] > values[child]) {
+        child++;
+      }
+      if (values[child] <= value) {
+        break;
+      }
+      values[hole] = values[child];
+      hole = child;
+    }
+    values[hole] = value;
+  }
+
   /** Moves bit b of a 21-bit number to bit 3 b. */
   private static long spread(long bits) {
     long x = bits;

@@ -1,0 +1,54 @@
+package org.hdispatch.cell;
+
+import org.eclipse.collections.api.map.primitive.MutableLongObjectMap;
+import org.eclipse.collections.impl.map.mutable.primitive.LongObjectHashMap;
+
+/**
+ * Hash map from keys to cells that allocates only when it grows: the library's map makes itself
+ * anew when entries and marks of removed entries fill it; this one is cleared and filled again
+ * before that happens.
+ */
+final class CellTable<C> {
+  private MutableLongObjectMap<C> map;
+  private int room;
+  private int used; // entries, and no fewer marks than there are
+
+  CellTable(int room) {
+    this.room = room;
+    map = new LongObjectHashMap<>(room);
+  }
+
+  C get(long key) {
+    return map.get(key);
+  }
+
+  boolean contains(long key) {
+    return map.containsKey(key);
+  }
+
+  /** Whether so many entries can be put before it has to be filled again. */
+  boolean hasRoomFor(int entries) {
+    return used + entries <= room;
+  }
+
+  /** Puts an entry for which there is room, and returns the cell that had this key before. */
+  C put(long key, C cell) {
+    used++;
+    return map.put(key, cell);
+  }
+
+  void remove(long key) {
+    map.removeKey(key);
+  }
+
+  /** Empties it, with room for so many entries. */
+  void clear(int entries) {
+    if (entries > room) {
+      room = Math.max(entries, 2 * room);
+      map = new LongObjectHashMap<>(room);
+    } else {
+      map.clear();
+    }
+    used = 0;
+  }
+}
