@@ -6,7 +6,7 @@ import org.hdispatch.gc.AllocationMeter;
 
 /** Adds up what the workers did while a loop ran, run by run. */
 final class LoopMeter {
-  private final Dispatcher dispatcher;
+  private final Crew crew;
   private final Counters atBegin;
   private final Counters now;
   private final Counters total;
@@ -15,11 +15,11 @@ final class LoopMeter {
   private boolean bytesMeasured = true;
   private long steps;
 
-  LoopMeter(Dispatcher dispatcher) {
-    this.dispatcher = dispatcher;
-    atBegin = new Counters(dispatcher.workers());
-    now = new Counters(dispatcher.workers());
-    total = new Counters(dispatcher.workers());
+  LoopMeter(Crew crew) {
+    this.crew = crew;
+    atBegin = new Counters(crew.size());
+    now = new Counters(crew.size());
+    total = new Counters(crew.size());
   }
 
   /** Readings of all workers, or differences of them. */
@@ -64,7 +64,7 @@ final class LoopMeter {
   private void read(Counters into) {
     into.nanos = System.nanoTime();
     for (int id = 0; id < into.cells.length; id++) {
-      Worker worker = dispatcher.worker(id);
+      Worker worker = crew.worker(id);
       into.cells[id] = worker.cells();
       into.stolen[id] = worker.stolen();
       into.busyNanos[id] = worker.busyNanos();
@@ -76,9 +76,9 @@ final class LoopMeter {
   }
 
   private AllocationMeter newAllocationMeter() {
-    long[] ids = new long[dispatcher.workers()];
+    long[] ids = new long[crew.size()];
     for (int id = 0; id < ids.length; id++) {
-      ids[id] = threadId(dispatcher.thread(id));
+      ids[id] = threadId(crew.thread(id));
     }
     try {
       return new AllocationMeter(ids);

@@ -43,13 +43,13 @@ final class PullTickets {
     words = new long[FIRST_TICKET + (segments + 1) * STRIDE];
   }
 
-  /** Ends of {@code segments} segments of 0 to {@code tasks - 1}, equal to within one task. */
-  static int[] equalSegments(int tasks, int segments) {
-    int[] ends = new int[segments];
-    for (int segment = 0; segment < segments; segment++) {
-      ends[segment] = (int) ((long) tasks * (segment + 1) / segments);
+  /**
+   * Cuts the tasks 0 to {@code tasks - 1} into segments, equal to within one, and sets their ends.
+   */
+  static void cut(int tasks, int[] ends) {
+    for (int segment = 0; segment < ends.length; segment++) {
+      ends[segment] = (int) ((long) tasks * (segment + 1) / ends.length);
     }
-    return ends;
   }
 
   /**

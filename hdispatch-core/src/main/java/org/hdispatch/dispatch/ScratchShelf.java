@@ -3,7 +3,7 @@ package org.hdispatch.dispatch;
 import java.util.function.Supplier;
 
 /** The scratch of every worker; as a task it makes them, each on its worker's thread. */
-final class ScratchShelf<S> implements Dispatcher.Task {
+final class ScratchShelf<S> implements Task {
   /** Slots between those of two workers, so that no cache line holds both: 32 references. */
   private static final int STRIDE = 32;
 

@@ -3,9 +3,11 @@ package org.hdispatch.dispatch;
 import java.lang.invoke.MethodHandles;
 import java.lang.invoke.VarHandle;
 import java.util.concurrent.locks.LockSupport;
+import java.util.function.IntFunction;
 
 /**
- * Wakes the workers when a pass opens and the caller when it is done; spins, then parks.
+ * The threads, and how they wait for each other: wakes the workers when a pass opens and the caller
+ * when it is done; spins, then parks.
  *
  * <p>Parking is Dekker's pattern: whoever goes to sleep raises its flag and then looks once more;
  * whoever has news writes it and then looks at the flag. Both sides use volatile accesses, so at
@@ -36,6 +38,45 @@ final class Signals {
   /** The thread of a worker. */
   Thread thread(int worker) {
     return (Thread) THREAD.getVolatile(threads, worker);
+  }
+
+  /** Starts a daemon thread for every worker but worker 0. */
+  void start(Runnable[] workers, IntFunction<String> name) {
+    for (int worker = 1; worker < threads.length; worker++) {
+      Thread thread = new Thread(null, workers[worker], name.apply(worker));
+      thread.setDaemon(true);
+      register(worker, thread);
+    }
+    for (int worker = 1; worker < threads.length; worker++) {
+      threads[worker].start();
+    }
+  }
+
+  /** Whether this is a thread that {@link #start} has started. */
+  boolean isWorker(Thread thread) {
+    for (int worker = 1; worker < threads.length; worker++) {
+      if (threads[worker] == thread) {
+        return true;
+      }
+    }
+    return false;
+  }
+
+  /** Waits until all threads that were started have ended. */
+  void join() {
+    boolean interrupted = false;
+    for (int worker = 1; worker < threads.length; worker++) {
+      while (threads[worker].isAlive()) {
+        try {
+          threads[worker].join();
+        } catch (InterruptedException e) {
+          interrupted = true;
+        }
+      }
+    }
+    if (interrupted) {
+      Thread.currentThread().interrupt();
+    }
   }
 
   /** Announces a pass (or the end) to the workers. */

@@ -1,48 +1,60 @@
 package org.hdispatch.dispatch;
 
-import java.util.ArrayList;
 import java.util.List;
 import java.util.Objects;
 import java.util.concurrent.CancellationException;
 import java.util.function.Predicate;
+import org.hdispatch.cell.CellChanges;
 import org.hdispatch.cell.CellMap;
 
 /**
  * Steps one scheme on one dispatcher.
  *
- * <p>A step that fails or is cancelled does not count: the tick stays, and a scheme whose passes
- * read only previous and write only current values can repeat it.
+ * <p>A step that fails or is cancelled does not count: the tick stays, the cells stay, and a scheme
+ * whose passes read only previous and write only current values can repeat it.
+ *
+ * <p>A JDK Flight Recording sees the events {@code org.hdispatch.Step}, {@code org.hdispatch.Pass}
+ * and {@code org.hdispatch.CellsChanged}; when none is recorded they cost nothing.
  */
 public final class TimeLoop {
-  private final Dispatcher dispatcher;
+  private final Crew crew;
   private final Scheme<?, ?> scheme;
-  private final Tick tick = new Tick();
-  private final Dispatcher.Run run = new Dispatcher.Run();
-  private final int[] segmentEnds;
-  private final List<PassTask<?, ?>> passes = new ArrayList<>();
+  private final CellMap<?> cells;
+  private final Tick.Clock clock = new Tick.Clock();
+  private final Tick[] ticks; // by worker
+  private final Crew.Run run = new Crew.Run();
+  private final Sweep[] sweeps;
   private final LoopMeter meter;
+  private final Events.StepDone stepDone = new Events.StepDone();
+  private final Events.CellsChanged cellsChanged = new Events.CellsChanged();
+  private long revision;
 
-  private <C, S> TimeLoop(Dispatcher dispatcher, Scheme<C, S> scheme, ScratchLifetime lifetime) {
-    this.dispatcher = dispatcher;
+  <C, S> TimeLoop(Crew crew, Handout handout, Scheme<C, S> scheme, ScratchLifetime lifetime) {
+    this.crew = crew;
     this.scheme = scheme;
-    int workers = dispatcher.workers();
-    CellMap<C> cells = scheme.cells();
-    segmentEnds = PullTickets.equalSegments(cells.size(), workers);
+    int workers = crew.size();
+    CellMap<C> map = scheme.cells();
+    cells = map;
+    ticks = new Tick[workers];
+    for (int worker = 0; worker < workers; worker++) {
+      ticks[worker] = new Tick(clock);
+    }
     ScratchShelf<S> shelf = new ScratchShelf<>(scheme::newScratch, workers, lifetime);
-    for (Pass<C, S> pass : scheme.passes()) {
-      passes.add(new PassTask<>(pass, cells, shelf, tick));
+    List<Pass<C, S>> passes = scheme.passes();
+    sweeps = new Sweep[passes.size()];
+    for (int pass = 0; pass < sweeps.length; pass++) {
+      sweeps[pass] = new Sweep(crew, handout, new PassTask<>(passes.get(pass), map, shelf, ticks));
     }
-    meter = new LoopMeter(dispatcher);
-    dispatcher.enter(run);
+    resetSweeps();
+    meter = new LoopMeter(crew);
+    int[] oneEach = new int[workers];
+    PullTickets.cut(workers, oneEach);
+    crew.enter(run);
     try {
-      dispatcher.dispatch(shelf, PullTickets.equalSegments(workers, workers), Handout.STATIC, run);
+      crew.dispatch(shelf, oneEach, Handout.STATIC, run);
     } finally {
-      dispatcher.leave(run);
+      crew.leave(run);
     }
-  }
-
-  static <C, S> TimeLoop of(Dispatcher dispatcher, Scheme<C, S> scheme, ScratchLifetime lifetime) {
-    return new TimeLoop(dispatcher, scheme, lifetime);
   }
 
   /**
@@ -73,38 +85,97 @@ public final class TimeLoop {
       throw Refusal.negativeSteps(maxSteps);
     }
     Objects.requireNonNull(stop);
-    dispatcher.enter(run);
+    crew.enter(run);
     try {
       return meteredRun(stop, maxSteps);
     } finally {
-      dispatcher.leave(run);
+      crew.leave(run);
     }
   }
 
   private boolean meteredRun(Predicate<Tick> stop, long maxSteps) {
-    long first = tick.step();
+    long first = clock.step;
     meter.begin();
     try {
       for (long step = 0; step < maxSteps; step++) {
         step();
-        if (stop.test(tick)) {
+        if (stop.test(ticks[0])) {
           return true;
         }
       }
       return false;
     } finally {
-      meter.end(tick.step() - first);
+      meter.end(clock.step - first);
     }
   }
 
   private void step() {
-    dispatcher.check(run);
-    scheme.beforeStep(tick);
-    for (int pass = 0; pass < passes.size(); pass++) {
-      dispatcher.dispatch(passes.get(pass), segmentEnds, dispatcher.handout(), run);
+    crew.check(run);
+    boolean recorded = stepDone.isEnabled();
+    if (recorded) {
+      stepDone.begin();
     }
-    scheme.afterStep(tick);
-    tick.advance();
+    boolean complete = false;
+    try {
+      scheme.beforeStep(ticks[0]);
+      if (cells.revision() != revision) { // someone has changed them since the last pass
+        resetSweeps();
+      }
+      for (Sweep sweep : sweeps) {
+        sweep.pass(run, clock.step);
+      }
+      scheme.afterStep(ticks[0]);
+      changeCells();
+      complete = true;
+    } finally {
+      if (!complete) {
+        forgetChanges();
+      }
+    }
+    if (recorded) {
+      stepDone.end();
+      stepDone.step = clock.step;
+      stepDone.cells = cells.size();
+      stepDone.commit();
+    }
+    clock.step++;
+  }
+
+  private void resetSweeps() {
+    revision = cells.revision();
+    for (Sweep sweep : sweeps) {
+      sweep.reset(cells.size());
+    }
+  }
+
+  /** Adds and removes the cells that the workers have asked for in this step. */
+  private void changeCells() {
+    CellChanges all = ticks[0].changes();
+    for (int worker = 1; worker < ticks.length; worker++) {
+      CellChanges others = ticks[worker].changes();
+      if (!others.isEmpty()) {
+        all.addAll(others);
+        others.clear();
+      }
+    }
+    if (all.isEmpty()) {
+      return;
+    }
+    cellsChanged.begin();
+    int before = cells.size();
+    if (cells.apply(all) && cellsChanged.isEnabled()) {
+      cellsChanged.end();
+      cellsChanged.step = clock.step;
+      cellsChanged.before = before;
+      cellsChanged.after = cells.size();
+      cellsChanged.commit();
+    }
+  }
+
+  private void forgetChanges() {
+    for (Tick tick : ticks) {
+      tick.changes().clear();
+    }
   }
 
   /**
@@ -112,12 +183,12 @@ public final class TimeLoop {
    * Safe from any thread.
    */
   public void cancel() {
-    dispatcher.cancel(run);
+    crew.cancel(run);
   }
 
   /** The clock. Read it between steps, or in a kernel. */
   public Tick tick() {
-    return tick;
+    return ticks[0];
   }
 
   /**
@@ -131,32 +202,5 @@ public final class TimeLoop {
   /** Starts the statistics anew, between two runs: after warm-up, say. */
   public void resetStats() {
     meter.reset();
-  }
-
-  /** One pass over all cells. */
-  private static final class PassTask<C, S> implements Dispatcher.Task {
-    private final String name;
-    private final CellKernel<? super C, ? super S> kernel;
-    private final CellMap<C> cells;
-    private final ScratchShelf<S> shelf;
-    private final Tick tick;
-
-    PassTask(Pass<C, S> pass, CellMap<C> cells, ScratchShelf<S> shelf, Tick tick) {
-      name = pass.name();
-      kernel = pass.kernel();
-      this.cells = cells;
-      this.shelf = shelf;
-      this.tick = tick;
-    }
-
-    @Override
-    public void run(int index, int worker) {
-      kernel.process(cells.cellAt(index), shelf.scratch(worker, tick), tick);
-    }
-
-    @Override
-    public RuntimeException failure(int index, int worker, Throwable cause) {
-      return new KernelException(name, cells.keyAt(index), tick.step(), worker, cause);
-    }
   }
 }

@@ -10,7 +10,7 @@ package org.hdispatch.dispatch;
 final class Worker implements Runnable {
   private final int id;
   private final int workers;
-  private final Dispatcher dispatcher;
+  private final Crew crew;
   private final PullTickets tickets;
   private final Signals signals;
 
@@ -19,10 +19,10 @@ final class Worker implements Runnable {
   private long stolen;
   private long busyNanos;
 
-  Worker(int id, int workers, Dispatcher dispatcher, PullTickets tickets, Signals signals) {
+  Worker(int id, int workers, Crew crew, PullTickets tickets, Signals signals) {
     this.id = id;
     this.workers = workers;
-    this.dispatcher = dispatcher;
+    this.crew = crew;
     this.tickets = tickets;
     this.signals = signals;
   }
@@ -30,7 +30,7 @@ final class Worker implements Runnable {
   @Override
   public void run() {
     long epoch = 0;
-    while (!dispatcher.closed()) {
+    while (!crew.closed()) {
       pull();
       epoch = signals.awaitOther(epoch, id);
     }
@@ -52,7 +52,7 @@ final class Worker implements Runnable {
         if (done == 0) {
           begin = System.nanoTime();
         }
-        done += 1 + dispatcher.runTask(index, id);
+        done += 1 + crew.runTask(index, id);
         processed++;
         fromOthers += turn == 0 ? 0 : 1;
       }

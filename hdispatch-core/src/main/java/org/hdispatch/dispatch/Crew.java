@@ -1,0 +1,200 @@
+package org.hdispatch.dispatch;
+
+import java.util.concurrent.CancellationException;
+import java.util.concurrent.atomic.AtomicBoolean;
+import java.util.concurrent.atomic.AtomicReference;
+import java.util.concurrent.locks.LockSupport;
+import java.util.function.IntFunction;
+
+/**
+ * The passes of the enduring threads: how one is opened, worked off, and ended early.
+ *
+ * <p>Whatever ends a pass early (failure, cancel, interruption, close) does the same: it takes back
+ * the tasks that nobody has claimed and counts them as done; those in work finish, and the pass
+ * ends as ever. Whoever asks from outside raises a flag and then reads which pass is open; the
+ * caller says which pass is open and then reads the flags (Dekker: one of the two sees the other).
+ */
+final class Crew {
+  private final PullTickets tickets;
+  private final Signals signals;
+  private final Worker[] workers;
+  private final AtomicBoolean running = new AtomicBoolean();
+  private final AtomicReference<Throwable> failure = new AtomicReference<>();
+  private volatile boolean closed;
+  private volatile Run active = new Run();
+
+  // Written by the caller before it opens a pass, read by workers under a claim.
+  private Task task;
+  private long epoch;
+
+  // Written by the worker whose failure came first, under its claim; read by the caller afterwards.
+  private int failedIndex;
+  private int failedWorker;
+
+  /** A run in progress, as the threads that may end it early see it. */
+  static final class Run {
+    private volatile boolean cancelled;
+    private volatile long openPass;
+  }
+
+  /** Starts a thread for every worker but the first, who is the caller. */
+  Crew(int count, WaitPolicy policy, IntFunction<String> threadName) {
+    tickets = new PullTickets(count);
+    signals = new Signals(count, policy);
+    workers = new Worker[count];
+    for (int id = 0; id < count; id++) {
+      workers[id] = new Worker(id, count, this, tickets, signals);
+    }
+    try {
+      signals.start(workers, threadName);
+    } catch (Throwable noMoreThreads) { // leave none behind that nobody can close
+      closed = true;
+      signals.announce(-1);
+      throw noMoreThreads;
+    }
+  }
+
+  int size() {
+    return workers.length;
+  }
+
+  Worker worker(int id) {
+    return workers[id];
+  }
+
+  /** Thread of a worker; that of worker 0 is the caller of the present or the last run. */
+  Thread thread(int id) {
+    return signals.thread(id);
+  }
+
+  boolean closed() {
+    return closed;
+  }
+
+  /** Makes the current thread worker 0 until {@link #leave}. */
+  void enter(Run run) {
+    if (closed) {
+      throw Refusal.closed();
+    }
+    if (!running.compareAndSet(false, true)) {
+      throw Refusal.busy();
+    }
+    signals.register(0, Thread.currentThread());
+    active = run;
+  }
+
+  void leave(Run run) {
+    run.cancelled = false; // whoever asked during this run has been heard
+    running.set(false);
+  }
+
+  /**
+   * Throws if the run is to end early.
+   *
+   * @throws CancellationException if it was cancelled, the caller interrupted or this closed
+   */
+  void check(Run run) {
+    if (closed) {
+      throw Refusal.closedMeanwhile();
+    }
+    if (run.cancelled) {
+      run.cancelled = false;
+      throw Refusal.cancelled();
+    }
+    if (Thread.currentThread().isInterrupted()) {
+      throw Refusal.interrupted();
+    }
+  }
+
+  /**
+   * Runs the tasks of one pass and returns when all are done.
+   *
+   * @param ends segments, see {@link PullTickets#open}
+   * @throws CancellationException see {@link #check}
+   */
+  void dispatch(Task newTask, int[] ends, Handout how, Run run) {
+    if (ends[ends.length - 1] == 0) {
+      return;
+    }
+    task = newTask;
+    long pass = ++epoch;
+    tickets.open(pass, ends, how);
+    run.openPass = pass;
+    if (closed || run.cancelled) {
+      takeBack(pass);
+    }
+    signals.announce(pass);
+    workers[0].pull();
+    boolean interrupted = false;
+    while (!tickets.finished()) {
+      signals.awaitFinished(tickets);
+      if (Thread.interrupted()) { // cleared, for an interrupted thread cannot park
+        interrupted = true;
+        takeBack(pass);
+      }
+    }
+    if (interrupted) {
+      Thread.currentThread().interrupt();
+    }
+    Throwable cause = failure.get();
+    if (cause != null) {
+      failure.set(null);
+      throw newTask.failure(failedIndex, failedWorker, cause);
+    }
+    check(run);
+  }
+
+  /**
+   * Runs a claimed task. If it fails, or worker 0 has been interrupted, the rest of the pass is
+   * taken back.
+   *
+   * @return number of further tasks that the worker has to count as done
+   */
+  int runTask(int index, int worker) {
+    Task current = task;
+    try {
+      current.run(index, worker);
+    } catch (Throwable cause) { // kept as it is; the caller reports it when the pass has ended
+      if (failure.compareAndSet(null, cause)) {
+        failedIndex = index;
+        failedWorker = worker;
+      }
+      return tickets.drain(epoch);
+    }
+    if (worker == 0 && Thread.currentThread().isInterrupted()) {
+      return tickets.drain(epoch);
+    }
+    return 0;
+  }
+
+  /** Asks a run to end; safe from any thread. */
+  void cancel(Run run) {
+    run.cancelled = true;
+    takeBack(run.openPass);
+  }
+
+  /** Ends the run in progress; waits for it and for the threads, unless called from within. */
+  void close() {
+    closed = true;
+    takeBack(active.openPass);
+    signals.announce(-1);
+    if (signals.isWorker(Thread.currentThread()) || inOwnRun()) {
+      return;
+    }
+    signals.join();
+    while (running.get()) {
+      LockSupport.parkNanos(10_000); // the caller, on its way out of the run
+    }
+  }
+
+  private boolean inOwnRun() {
+    return running.get() && signals.thread(0) == Thread.currentThread();
+  }
+
+  private void takeBack(long pass) {
+    int drained = tickets.drain(pass);
+    if (drained > 0 && tickets.finish(drained)) {
+      signals.finished();
+    }
+  }
+}
