@@ -1,0 +1,175 @@
+package org.hdispatch.cell;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
+import static org.junit.jupiter.api.Assertions.assertNull;
+import static org.junit.jupiter.api.Assertions.assertSame;
+import static org.junit.jupiter.api.Assertions.assertThrows;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import java.util.Arrays;
+import java.util.Comparator;
+import java.util.HashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.Random;
+import java.util.Set;
+import java.util.TreeSet;
+import net.jqwik.api.ForAll;
+import net.jqwik.api.Property;
+import net.jqwik.api.constraints.IntRange;
+import net.jqwik.api.constraints.Size;
+import org.hdispatch.gc.AllocationMeter;
+import org.junit.jupiter.api.Test;
+
+class CellChangesPropertyTest {
+  private static final class Cell {
+    long key;
+
+    Cell(long key) {
+      this.key = key;
+    }
+  }
+
+  @Property(tries = 300)
+  void mapIsWhatANewMapOfTheseKeysWouldBe(
+      @ForAll KeyOrder order, @ForAll boolean reuse, @ForAll long seed) {
+    Random random = new Random(seed);
+    CellMap<Cell> map = map(order, reuse, randomKeys(random, 20));
+    Map<Long, Cell> model = new HashMap<>();
+    for (int n = 0; n < map.size(); n++) {
+      model.put(map.keyAt(n), map.cellAt(n));
+    }
+    CellChanges changes = new CellChanges();
+    for (int round = 0; round < 20; round++) {
+      long[] additions = randomKeys(random, random.nextInt(30));
+      long[] removals = randomKeys(random, random.nextInt(30));
+      Set<Long> wanted = new TreeSet<>(model.keySet());
+      Arrays.stream(removals).forEach(wanted::remove);
+      for (long key : additions) {
+        wanted.add(key); // asked for both ways: added
+      }
+      for (long key : removals) {
+        if (model.containsKey(key) && Arrays.stream(additions).anyMatch(a -> a == key)) {
+          wanted.add(key);
+        }
+        changes.remove(key);
+      }
+      Arrays.stream(additions).forEach(changes::add);
+      long revision = map.revision();
+      boolean other = !wanted.equals(new TreeSet<>(model.keySet()));
+      assertEquals(other, map.apply(changes));
+      assertEquals(other ? revision + 1 : revision, map.revision());
+      assertTrue(changes.isEmpty());
+      check(map, order, model, wanted);
+    }
+  }
+
+  private static void check(
+      CellMap<Cell> map, KeyOrder order, Map<Long, Cell> model, Set<Long> wanted) {
+    assertEquals(wanted.size(), map.size());
+    List<Long> sorted = wanted.stream().sorted(Comparator.comparingLong(order::code)).toList();
+    Set<Long> gone = new TreeSet<>(model.keySet());
+    gone.removeAll(wanted);
+    for (long key : gone) {
+      assertNull(map.get(key));
+      assertFalse(map.contains(key));
+      model.remove(key);
+    }
+    for (int n = 0; n < sorted.size(); n++) {
+      long key = sorted.get(n);
+      assertEquals(key, map.keyAt(n));
+      Cell cell = map.cellAt(n);
+      assertSame(cell, map.get(key));
+      assertEquals(key, cell.key);
+      assertSame(cell, model.computeIfAbsent(key, k -> cell), "a cell that stays is the same cell");
+    }
+    assertEquals(sorted.size(), Set.copyOf(model.values()).size(), "one cell under two keys");
+  }
+
+  private static CellMap<Cell> map(KeyOrder order, boolean reuse, long[] keys) {
+    return reuse
+        ? CellMap.of(keys, order, Cell::new, (cell, key) -> cell.key = key)
+        : CellMap.of(keys, order, Cell::new);
+  }
+
+  private static long[] randomKeys(Random random, int count) {
+    return random
+        .ints(count, 0, 64)
+        .distinct()
+        .mapToLong(n -> CellKey.of(n % 4 - 2, n / 4 % 4, n / 16))
+        .toArray();
+  }
+
+  @Property
+  void sortsEachKeyOnceIntoTheOrder(
+      @ForAll KeyOrder order, @ForAll @Size(max = 200) List<@IntRange(max = 300) Integer> numbers) {
+    long[] keys = numbers.stream().mapToLong(n -> CellKey.of(n % 7, n / 7 % 7, n / 49)).toArray();
+    long[] expected = order.sorted(Arrays.stream(keys).distinct().toArray());
+    int distinct = order.sortDistinct(keys, keys.length);
+    assertEquals(expected.length, distinct);
+    for (int n = 0; n < distinct; n++) {
+      assertEquals(expected[n], keys[n]);
+    }
+  }
+
+  @Test
+  void noKeyAsksForNothing() {
+    CellMap<Cell> map = map(KeyOrder.ROW, false, new long[] {CellKey.of(1, 2, 3)});
+    CellChanges changes = new CellChanges();
+    changes.add(CellKey.NONE);
+    changes.remove(CellKey.NONE);
+    assertTrue(changes.isEmpty());
+    changes.add(CellKey.of(1, 2, 3));
+    changes.remove(CellKey.of(0, 0, 0));
+    assertFalse(map.apply(changes));
+    assertEquals(0, map.revision());
+  }
+
+  @Test
+  void staysAsItWasIfACellCannotBeMade() {
+    long[] keys = CellGrid.of(3, 1, 1, Ends.OPEN).keys();
+    CellMap<Cell> map =
+        CellMap.of(keys, KeyOrder.ROW, key -> CellKey.i(key) == 5 ? null : new Cell(key));
+    CellChanges changes = new CellChanges();
+    changes.remove(CellKey.of(1, 0, 0));
+    changes.add(CellKey.of(4, 0, 0));
+    changes.add(CellKey.of(5, 0, 0));
+    IllegalArgumentException e =
+        assertThrows(IllegalArgumentException.class, () -> map.apply(changes));
+    assertEquals("cell must exist: key=(5, 0, 0)", e.getMessage());
+    assertTrue(changes.isEmpty());
+    assertEquals(3, map.size());
+    assertEquals(0, map.revision());
+    assertTrue(map.contains(CellKey.of(1, 0, 0)));
+    assertFalse(map.contains(CellKey.of(4, 0, 0)));
+    changes.add(CellKey.of(4, 0, 0));
+    assertTrue(map.apply(changes));
+    assertEquals(4, map.size());
+  }
+
+  /** Long enough that the marks of removed keys would fill the hash map many times. */
+  @Test
+  @SuppressWarnings("deprecation") // threadId() needs Java 19
+  void allocatesNothingOnceGrown() {
+    CellMap<Cell> map = map(KeyOrder.MORTON, true, CellGrid.of(100, 2, 1, Ends.OPEN).keys());
+    AllocationMeter meter = new AllocationMeter(Thread.currentThread().getId());
+    long[] before = new long[1];
+    long[] after = new long[1];
+    CellChanges changes = new CellChanges();
+    for (int round = 0; round < 20; round++) {
+      meter.read(before);
+      for (int step = 0; step < 1_000; step++) {
+        int head = 100 + 1_000 * round + step;
+        for (int j = 0; j < 2; j++) {
+          changes.add(CellKey.of(head, j, 0));
+          changes.remove(CellKey.of(head - 100, j, 0));
+        }
+        map.apply(changes);
+      }
+      meter.read(after);
+    }
+    assertEquals(200, map.size());
+    assertEquals(0, after[0] - before[0]);
+  }
+}
