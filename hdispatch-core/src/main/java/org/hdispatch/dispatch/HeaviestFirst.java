@@ -1,6 +1,7 @@
 package org.hdispatch.dispatch;
 
 import java.util.Arrays;
+import java.util.function.LongSupplier;
 
 /**
  * A pass whose tasks are handed out by falling cost, as measured in an earlier step.
@@ -15,6 +16,7 @@ final class HeaviestFirst implements Task {
   private static final int CLASSES = 256;
 
   private final Task task;
+  private final LongSupplier nanoTime;
   private final int[] segmentEnds;
   private final int[] nextInSegment;
   private final int[] classStarts = new int[CLASSES + 1];
@@ -24,8 +26,9 @@ final class HeaviestFirst implements Task {
   private int[] order = new int[0]; // tasks as handed out
   private int passesToMeasurement;
 
-  HeaviestFirst(Task task, int workers) {
+  HeaviestFirst(Task task, int workers, LongSupplier nanoTime) {
     this.task = task;
+    this.nanoTime = nanoTime;
     segmentEnds = new int[workers];
     nextInSegment = new int[workers];
   }
@@ -55,9 +58,9 @@ final class HeaviestFirst implements Task {
       task.run(chosen, worker);
       return;
     }
-    long begin = System.nanoTime();
+    long begin = nanoTime.getAsLong();
     task.run(chosen, worker);
-    nanos[chosen] = System.nanoTime() - begin;
+    nanos[chosen] = nanoTime.getAsLong() - begin;
   }
 
   @Override

@@ -15,7 +15,10 @@ final class Sweep {
     this.handout = handout;
     this.task = task;
     equalSegments = new int[crew.size()];
-    heaviestFirst = handout == Handout.HEAVIEST_FIRST ? new HeaviestFirst(task, crew.size()) : null;
+    heaviestFirst =
+        handout == Handout.HEAVIEST_FIRST
+            ? new HeaviestFirst(task, crew.size(), System::nanoTime)
+            : null;
   }
 
   /** The cells are other ones now. */

@@ -125,6 +125,7 @@ public final class TimeLoop {
         sweep.pass(run, clock.step);
       }
       scheme.afterStep(ticks[0]);
+      stepDone.cells = cells.size();
       changeCells();
       complete = true;
     } finally {
@@ -135,7 +136,6 @@ public final class TimeLoop {
     if (recorded) {
       stepDone.end();
       stepDone.step = clock.step;
-      stepDone.cells = cells.size();
       stepDone.commit();
     }
     clock.step++;
