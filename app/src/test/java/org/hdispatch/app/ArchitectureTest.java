@@ -17,6 +17,7 @@ import com.tngtech.archunit.core.domain.JavaModifier;
 import com.tngtech.archunit.core.importer.ClassFileImporter;
 import com.tngtech.archunit.core.importer.ImportOption;
 import com.tngtech.archunit.library.GeneralCodingRules;
+import java.lang.invoke.VarHandle;
 import java.util.concurrent.Callable;
 import java.util.concurrent.CancellationException;
 import org.junit.jupiter.api.Test;
@@ -161,6 +162,38 @@ class ArchitectureTest {
         .should()
         .dependOnClassesThat()
         .belongToAnyOf(Thread.class, ThreadLocal.class, ThreadGroup.class)
+        .check(CODE);
+    fields()
+        .that()
+        .areDeclaredInClassesThat(elsewhere)
+        .should()
+        .notHaveModifier(JavaModifier.VOLATILE)
+        .check(CODE);
+    methods()
+        .that()
+        .areDeclaredInClassesThat(elsewhere)
+        .should()
+        .notHaveModifier(JavaModifier.SYNCHRONIZED)
+        .check(CODE);
+  }
+
+  /** Within dispatch, three classes hold it all; gc reads counters and needs none. */
+  @Test
+  void threadsMeetInThreeClasses() {
+    DescribedPredicate<JavaClass> elsewhere =
+        DescribedPredicate.describe(
+            "are not one of the three",
+            c ->
+                resideInAnyPackage(DISPATCH, GC).test(c)
+                    && !c.getName().matches(".*\\.(PullTickets|Signals|Crew(\\$.*)?)"));
+    noClasses()
+        .that(elsewhere)
+        .should()
+        .dependOnClassesThat(
+            resideInAnyPackage("java.util.concurrent.atomic..", "java.util.concurrent.locks..")
+                .or(
+                    DescribedPredicate.describe(
+                        "VarHandle", c -> c.isEquivalentTo(VarHandle.class))))
         .check(CODE);
     fields()
         .that()

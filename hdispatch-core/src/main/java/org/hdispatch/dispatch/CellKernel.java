@@ -6,11 +6,15 @@ package org.hdispatch.dispatch;
  * <p><b>What the dispatcher guarantees</b>
  *
  * <ol>
- *   <li>In one pass every cell is processed exactly once, by one worker.
- *   <li>What an earlier pass wrote, whichever worker wrote it, is visible.
+ *   <li>In one pass every cell is processed exactly once, by one worker (test: {@code
+ *       DispatcherRandomStepsTest.everyCellExactlyOnce}).
+ *   <li>What an earlier pass wrote, whichever worker wrote it, is visible (test: {@code
+ *       DispatcherTest.everyPassSeesWhatTheLastOneWrote}).
  *   <li>A worker processes one cell at a time and always passes its own scratch: no other thread
- *       sees that scratch.
- *   <li>{@code tick} does not change during the pass.
+ *       sees that scratch (test: {@code DispatcherTest.makesScratchOncePerWorkerOnItsOwnThread}).
+ *   <li>{@code tick} and the set of cells do not change during the pass; the cells that kernels ask
+ *       for come and go after the step (test: {@code
+ *       MovingFrontTest.sameCellsAndBitsAsOnSortedMaps}).
  * </ol>
  *
  * <p><b>What the kernel must keep (the ownership rule)</b>
@@ -26,8 +30,9 @@ package org.hdispatch.dispatch;
  * </ol>
  *
  * <p>Then no lock is needed, and every bit of the result is the same for any number of workers and
- * any order of hand-out. A kernel that stores no reference into an old object also spares the
- * collector's card table: roll an index ({@link Tick#previous}, {@link Tick#current}) instead.
+ * any order of hand-out (test: {@code DispatcherTest.sameBitsForAnyWorkerCount}). A kernel that
+ * stores no reference into an old object also spares the collector's card table: roll an index
+ * ({@link Tick#previous}, {@link Tick#current}) instead.
  *
  * @param <C> type of a cell
  * @param <S> type of the scratch
@@ -39,7 +44,8 @@ public interface CellKernel<C, S> {
    *
    * @param cell the cell this worker pulled
    * @param scratch this worker's scratch, with rubbish in it
-   * @param tick the step, and which buffer is previous and which current
+   * @param tick the step, and which buffer is previous and which current, and the cells that are to
+   *     come and go; this worker's own
    */
   void process(C cell, S scratch, Tick tick);
 }

@@ -62,7 +62,7 @@ final class Crew {
     return workers[id];
   }
 
-  /** Thread of a worker; that of worker 0 is the caller of the present or the last run. */
+  /** Thread of a worker; that of worker 0 is the caller's, null between runs. */
   Thread thread(int id) {
     return signals.thread(id);
   }
@@ -85,6 +85,7 @@ final class Crew {
 
   void leave(Run run) {
     run.cancelled = false; // whoever asked during this run has been heard
+    signals.register(0, null);
     running.set(false);
   }
 
@@ -178,17 +179,13 @@ final class Crew {
     closed = true;
     takeBack(active.openPass);
     signals.announce(-1);
-    if (signals.isWorker(Thread.currentThread()) || inOwnRun()) {
+    if (signals.isWorker(Thread.currentThread())) {
       return;
     }
     signals.join();
     while (running.get()) {
       LockSupport.parkNanos(10_000); // the caller, on its way out of the run
     }
-  }
-
-  private boolean inOwnRun() {
-    return running.get() && signals.thread(0) == Thread.currentThread();
   }
 
   private void takeBack(long pass) {

@@ -10,14 +10,27 @@ import java.util.concurrent.CancellationException;
  *
  * <ol>
  *   <li>A dispatcher with n workers starts n - 1 daemon threads; the thread that calls {@link
- *       TimeLoop#run} works as worker 0.
- *   <li>One loop runs at a time. Several loops may take turns, from any thread.
- *   <li>Two dispatchers share nothing.
- *   <li>After warm-up a step allocates nothing on any of the threads.
+ *       TimeLoop#run} works as worker 0 (test: {@code
+ *       DispatcherTest.startsDaemonThreadsAndWorksOnTheCallersToo}).
+ *   <li>One loop runs at a time. Several loops may take turns, from any thread (tests: {@code
+ *       DispatcherTest.refusesALoopInsideAKernel}, {@code
+ *       DispatcherTest.loopsTakeTurnsFromAnyThread}).
+ *   <li>Two dispatchers share nothing (test: {@code DispatcherTest.twoDispatchersRunSideBySide}).
+ *   <li>After warm-up a step allocates nothing on any of the threads (tests: {@code
+ *       DispatcherTest.allocatesNothingAfterWarmUp}, {@code
+ *       MovingFrontTest.allocatesNothingOnceGrown}, {@code EventsTest.costNoByteWhenNotRecorded}).
  *   <li>When a kernel throws, the cells not yet claimed are taken back, the pass ends, {@code run}
- *       throws a {@link KernelException}, and the dispatcher stays usable.
+ *       throws a {@link KernelException}, and the dispatcher stays usable (tests: {@code
+ *       DispatcherTest.reportsPassCellStepAndWorkerOfAFailureAndStaysUsable}, {@code
+ *       DispatcherRandomStepsTest.everyCellExactlyOnce}).
+ *   <li>{@link TimeLoop#cancel}, and an interruption of the caller, end a run in the same way,
+ *       after the cells in work (tests: {@code
+ *       DispatcherTest.cancelFromAnotherThreadEndsTheStepEarly}, {@code
+ *       DispatcherTest.interruptionEndsTheStepEarlyAndStaysSet}, {@code
+ *       DispatcherRandomStepsTest.outsideCancelsLeaveEveryCellOnceOrNotAtAll}).
  *   <li>{@link #close} ends the run in progress, if any, after the cells in work, and returns when
- *       that run has and all threads are gone.
+ *       that run has and all threads are gone (test: {@code
+ *       DispatcherTest.closeEndsARunOnAnotherThreadAndJoinsEveryThread}).
  * </ol>
  */
 public final class Dispatcher implements AutoCloseable {

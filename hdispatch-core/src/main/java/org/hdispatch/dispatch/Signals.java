@@ -21,7 +21,7 @@ final class Signals {
   private static final int FIRST_PARKED = 2 * STRIDE;
 
   private final long spins;
-  private final Thread[] threads; // by worker; 0 is the caller of the loop that runs now
+  private final Thread[] threads; // by worker; 0 is the caller of the loop that runs now, if any
   private final long[] words;
 
   Signals(int workers, WaitPolicy policy) {
@@ -30,7 +30,7 @@ final class Signals {
     words = new long[FIRST_PARKED + (workers + 1) * STRIDE];
   }
 
-  /** Says which thread a worker is. */
+  /** Says which thread a worker is, or that it is none at present. */
   void register(int worker, Thread thread) {
     THREAD.setVolatile(threads, worker, thread);
   }
@@ -52,10 +52,10 @@ final class Signals {
     }
   }
 
-  /** Whether this is a thread that {@link #start} has started. */
+  /** Whether this thread is a worker now. */
   boolean isWorker(Thread thread) {
-    for (int worker = 1; worker < threads.length; worker++) {
-      if (threads[worker] == thread) {
+    for (int worker = 0; worker < threads.length; worker++) {
+      if (thread(worker) == thread) {
         return true;
       }
     }

@@ -432,6 +432,65 @@ class DispatcherTest {
   }
 
   @Test
+  void startsDaemonThreadsAndWorksOnTheCallersToo() {
+    Set<Thread> seen = ConcurrentHashMap.newKeySet();
+    try (Dispatcher dispatcher = Dispatcher.builder().workers(3).name("daemon").build()) {
+      dispatcher.loop(
+          Scheme.of(counters(3))
+              .scratch(() -> seen.add(Thread.currentThread()))
+              .pass("none", (cell, scratch, tick) -> {})
+              .build());
+      assertEquals(3, seen.size());
+      assertTrue(seen.remove(Thread.currentThread()));
+      for (Thread thread : seen) {
+        assertTrue(thread.isDaemon());
+        assertTrue(thread.getName().startsWith("daemon-worker-"), thread.getName());
+      }
+    }
+  }
+
+  @Test
+  void loopsTakeTurnsFromAnyThread() throws InterruptedException {
+    CellMap<Counter> cells = counters(20);
+    try (Dispatcher dispatcher = Dispatcher.withWorkers(2)) {
+      TimeLoop one = dispatcher.loop(counting(cells));
+      TimeLoop other = dispatcher.loop(counting(cells));
+      for (int turn = 0; turn < 20; turn++) {
+        one.run(5);
+        Thread thread = new Thread(() -> turnOf(one, other).run(5));
+        thread.start();
+        thread.join();
+        other.run(5);
+      }
+      assertEquals(20 * 20 * 15, visits(cells));
+    }
+  }
+
+  private static TimeLoop turnOf(TimeLoop one, TimeLoop other) {
+    return one.tick().step() < other.tick().step() ? one : other;
+  }
+
+  @ParameterizedTest
+  @EnumSource(Handout.class)
+  void everyPassSeesWhatTheLastOneWrote(Handout handout) {
+    CellMap<Counter> cells = counters(64);
+    Scheme<Counter, Void> scheme =
+        Scheme.of(cells)
+            .pass("write", (cell, scratch, tick) -> cell.visits = tick.step())
+            .pass(
+                "read",
+                (cell, scratch, tick) -> {
+                  for (int n = 0; n < 64; n++) {
+                    assertEquals(tick.step(), cells.cellAt(n).visits);
+                  }
+                })
+            .build();
+    try (Dispatcher dispatcher = Dispatcher.builder().workers(3).handout(handout).build()) {
+      dispatcher.loop(scheme).run(3_000);
+    }
+  }
+
+  @Test
   void twoDispatchersRunSideBySide() throws InterruptedException {
     List<CellMap<Counter>> maps = List.of(counters(50), counters(50));
     Thread[] threads = new Thread[2];
