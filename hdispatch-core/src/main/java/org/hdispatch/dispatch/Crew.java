@@ -146,26 +146,27 @@ final class Crew {
   }
 
   /**
-   * Runs a claimed task. If it fails, or worker 0 has been interrupted, the rest of the pass is
-   * taken back.
+   * Runs a claimed task and all that the worker can claim after it. If one fails, the rest of the
+   * pass is taken back.
    *
-   * @return number of further tasks that the worker has to count as done
+   * @return number of tasks taken back, which the worker has to count as done
    */
-  int runTask(int index, int worker) {
-    Task current = task;
+  int runFrom(int first, Worker worker) {
     try {
-      current.run(index, worker);
+      task.runFrom(first, worker);
+      return 0;
     } catch (Throwable cause) { // kept as it is; the caller reports it when the pass has ended
       if (failure.compareAndSet(null, cause)) {
-        failedIndex = index;
-        failedWorker = worker;
+        failedIndex = worker.inWork();
+        failedWorker = worker.id();
       }
-      return tickets.drain(epoch);
+      return takeRest();
     }
-    if (worker == 0 && Thread.currentThread().isInterrupted()) {
-      return tickets.drain(epoch);
-    }
-    return 0;
+  }
+
+  /** Takes back the rest of the pass in work; for a worker, who has to count it as done. */
+  int takeRest() {
+    return tickets.drain(epoch);
   }
 
   /** Asks a run to end; safe from any thread. */

@@ -1,22 +1,19 @@
 package org.hdispatch.dispatch;
 
 import java.util.Arrays;
-import java.util.function.LongSupplier;
 
 /**
- * A pass whose tasks are handed out by falling cost, as measured in an earlier step.
+ * An order of tasks by falling cost, as measured in an earlier pass.
  *
  * <p>Tasks of like cost form a class, a quarter of an octave wide. Classes go from heavy to light;
  * within a class the key order stays, and every segment gets an equal, unbroken part of it, so that
  * equal tasks are handed out as they would be without measuring. Nothing is allocated once the
  * arrays have grown.
  */
-final class HeaviestFirst implements Task {
+final class HeaviestFirst {
   private static final int PERIOD = 64; // passes from one measurement to the next
   private static final int CLASSES = 256;
 
-  private final Task task;
-  private final LongSupplier nanoTime;
   private final int[] segmentEnds;
   private final int[] nextInSegment;
   private final int[] classStarts = new int[CLASSES + 1];
@@ -26,11 +23,9 @@ final class HeaviestFirst implements Task {
   private int[] order = new int[0]; // tasks as handed out
   private int passesToMeasurement;
 
-  HeaviestFirst(Task task, int workers, LongSupplier nanoTime) {
-    this.task = task;
-    this.nanoTime = nanoTime;
-    segmentEnds = new int[workers];
-    nextInSegment = new int[workers];
+  HeaviestFirst(int segments) {
+    segmentEnds = new int[segments];
+    nextInSegment = new int[segments];
   }
 
   /** Begins with tasks of unknown cost, in key order. */
@@ -51,21 +46,19 @@ final class HeaviestFirst implements Task {
     return segmentEnds;
   }
 
-  @Override
-  public void run(int index, int worker) {
-    int chosen = order[index];
-    if (passesToMeasurement > 0) {
-      task.run(chosen, worker);
-      return;
-    }
-    long begin = nanoTime.getAsLong();
-    task.run(chosen, worker);
-    nanos[chosen] = nanoTime.getAsLong() - begin;
+  /** The task that is handed out as number {@code index}. */
+  int taskAt(int index) {
+    return order[index];
   }
 
-  @Override
-  public RuntimeException failure(int index, int worker, Throwable cause) {
-    return task.failure(order[index], worker, cause);
+  /** Whether the pass in progress is one whose tasks are to be measured. */
+  boolean measuring() {
+    return passesToMeasurement == 0;
+  }
+
+  /** A task has taken so long. */
+  void measured(int task, long taken) {
+    nanos[task] = taken;
   }
 
   /** The pass is complete. */

@@ -22,8 +22,24 @@ final class PassTask<C, S> implements Task {
     return name;
   }
 
+  /** The loop keeps what it needs in local variables: after a claim fields must be read anew. */
   @Override
-  public void run(int index, int worker) {
+  public void runFrom(int first, Worker worker) {
+    CellKernel<? super C, ? super S> process = kernel;
+    CellMap<C> map = cells;
+    Tick tick = ticks[worker.id()];
+    boolean renews = shelf.renews();
+    S scratch = renews ? null : shelf.scratch(worker.id(), tick);
+    for (int index = first; index >= 0; index = worker.next()) {
+      if (renews) {
+        scratch = shelf.scratch(worker.id(), tick);
+      }
+      process.process(map.cellAt(index), scratch, tick);
+    }
+  }
+
+  /** Runs a single task. */
+  void run(int index, int worker) {
     Tick tick = ticks[worker];
     kernel.process(cells.cellAt(index), shelf.scratch(worker, tick), tick);
   }

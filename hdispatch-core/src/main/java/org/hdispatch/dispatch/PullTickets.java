@@ -69,23 +69,32 @@ final class PullTickets {
     }
   }
 
-  /** Claims a task from the worker's own segment: its number, or -1 if none is left there. */
+  /**
+   * Claims a task from the worker's own segment.
+   *
+   * @return how many were left there with this one: the task is {@code end(worker)} less that
+   *     number; not above 0 if none was left
+   */
   int claimHome(int worker) {
-    int remaining = (int) (long) WORD.getAndAdd(words, ticket(worker), -1L);
-    return remaining > 0 ? segmentEnds[worker] - remaining : -1;
+    return (int) (long) WORD.getAndAdd(words, ticket(worker), -1L);
   }
 
-  /** Claims a task from another worker's segment: its number, or -1 if none may be had there. */
+  /** Claims a task from another worker's segment: as {@link #claimHome}, 0 if none may be had. */
   int claimFrom(int segment) {
     while (true) {
       long word = (long) WORD.getOpaque(words, ticket(segment));
       if ((int) word <= 0 || (word & HOME_ONLY) != 0) {
-        return -1;
+        return 0;
       }
       if (WORD.compareAndSet(words, ticket(segment), word, word - 1)) {
-        return segmentEnds[segment] - (int) word;
+        return (int) word;
       }
     }
+  }
+
+  /** End of a segment of the open pass; for whoever holds a claim, which pins the pass. */
+  int end(int segment) {
+    return segmentEnds[segment];
   }
 
   /**

@@ -19,24 +19,27 @@ final class ScratchShelf<S> implements Task {
     madeInStep = new long[workers * STRIDE];
   }
 
+  /** Whether a worker's scratch may be another one for the next cell. */
+  boolean renews() {
+    return lifetime != ScratchLifetime.ENDURING;
+  }
+
+  /** The scratch of a worker, made anew if its time is over. */
   @SuppressWarnings("unchecked") // only scratch of type S is ever stored
   S scratch(int worker, Tick tick) {
-    if (lifetime != ScratchLifetime.ENDURING) {
-      renew(worker, tick);
+    if (lifetime == ScratchLifetime.PER_CELL
+        || lifetime == ScratchLifetime.PER_STEP && madeInStep[worker * STRIDE] != tick.step()) {
+      madeInStep[worker * STRIDE] = tick.step();
+      scratch[worker * STRIDE] = newScratch.get();
     }
     return (S) scratch[worker * STRIDE];
   }
 
-  private void renew(int worker, Tick tick) {
-    if (lifetime == ScratchLifetime.PER_CELL || madeInStep[worker * STRIDE] != tick.step()) {
-      madeInStep[worker * STRIDE] = tick.step();
-      scratch[worker * STRIDE] = newScratch.get();
-    }
-  }
-
   @Override
-  public void run(int index, int worker) {
-    scratch[worker * STRIDE] = newScratch.get();
+  public void runFrom(int first, Worker worker) {
+    for (int index = first; index >= 0; index = worker.next()) {
+      scratch[worker.id() * STRIDE] = newScratch.get();
+    }
   }
 
   @Override

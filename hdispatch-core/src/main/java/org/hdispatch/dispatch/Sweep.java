@@ -4,29 +4,35 @@ package org.hdispatch.dispatch;
 final class Sweep {
   private final Crew crew;
   private final Handout handout;
-  private final PassTask<?, ?> task;
-  private final HeaviestFirst heaviestFirst; // null: in key order
-  private final int[] equalSegments;
+  private final String name;
+  private final Task task;
+  private final HeaviestFirst order; // null: key order
+  private final int[] segmentEnds;
   private final Events.PassDone event = new Events.PassDone();
   private int cells;
 
-  Sweep(Crew crew, Handout handout, PassTask<?, ?> task) {
+  Sweep(Crew crew, Handout handout, PassTask<?, ?> pass) {
     this.crew = crew;
     this.handout = handout;
-    this.task = task;
-    equalSegments = new int[crew.size()];
-    heaviestFirst =
-        handout == Handout.HEAVIEST_FIRST
-            ? new HeaviestFirst(task, crew.size(), System::nanoTime)
-            : null;
+    name = pass.name();
+    if (handout == Handout.HEAVIEST_FIRST) {
+      order = new HeaviestFirst(crew.size());
+      task = new HeaviestFirstTask(pass, order);
+      segmentEnds = order.segmentEnds();
+    } else {
+      order = null;
+      task = pass;
+      segmentEnds = new int[crew.size()];
+    }
   }
 
   /** The cells are other ones now. */
   void reset(int newCells) {
     cells = newCells;
-    PullTickets.cut(cells, equalSegments);
-    if (heaviestFirst != null) {
-      heaviestFirst.reset(cells);
+    if (order == null) {
+      PullTickets.cut(cells, segmentEnds);
+    } else {
+      order.reset(cells);
     }
   }
 
@@ -36,16 +42,14 @@ final class Sweep {
     if (recorded) {
       event.begin();
     }
-    if (heaviestFirst == null) {
-      crew.dispatch(task, equalSegments, handout, run);
-    } else {
-      crew.dispatch(heaviestFirst, heaviestFirst.segmentEnds(), handout, run);
-      heaviestFirst.passed();
+    crew.dispatch(task, segmentEnds, handout, run);
+    if (order != null) {
+      order.passed();
     }
     if (recorded) {
       event.end();
       event.step = step;
-      event.pass = task.name();
+      event.pass = name;
       event.cells = cells;
       event.commit();
     }

@@ -8,16 +8,27 @@ package org.hdispatch.dispatch;
  * worker that is not scheduled, or wakes too late, holds nobody up.
  */
 final class Worker implements Runnable {
+  // Places in the line of a worker, of the pull in progress.
+  private static final int LINE = 16; // longs: 128 bytes before, for, and behind what is written
+  private static final int TURN = LINE; // 0 at home, then the others' segments
+  private static final int HOME_END = LINE + 1;
+  private static final int IN_WORK = LINE + 2;
+  private static final int CLAIMED = LINE + 3;
+  private static final int FROM_OTHERS = LINE + 4;
+  private static final int TAKEN_BACK = LINE + 5;
+  // Of all pulls.
+  private static final int CELLS = LINE + 6;
+  private static final int STOLEN = LINE + 7;
+  private static final int BUSY_NANOS = LINE + 8;
+
   private final int id;
   private final int workers;
   private final Crew crew;
   private final PullTickets tickets;
   private final Signals signals;
 
-  // Written by this worker under a claim, read by the caller between passes.
-  private long cells;
-  private long stolen;
-  private long busyNanos;
+  /** All that this worker writes, under a claim; the caller reads it between passes. */
+  private final long[] line = new long[3 * LINE];
 
   Worker(int id, int workers, Crew crew, PullTickets tickets, Signals signals) {
     this.id = id;
@@ -36,50 +47,93 @@ final class Worker implements Runnable {
     }
   }
 
-  /** Claims and runs tasks, from the home segment and then from the others, until none is left. */
+  /**
+   * Claims and runs tasks, from the home segment and then from the others, until none is left. All
+   * are of one pass: the first claim pins it until they are counted as done.
+   */
   void pull() {
-    int done = 0; // the cells taken back after a failure included
-    int processed = 0;
-    int fromOthers = 0;
-    long begin = 0;
-    for (int turn = 0; turn < workers; turn++) {
-      int segment = (id + turn) % workers;
-      while (true) {
-        int index = turn == 0 ? tickets.claimHome(id) : tickets.claimFrom(segment);
-        if (index < 0) {
-          break;
-        }
-        if (done == 0) {
-          begin = System.nanoTime();
-        }
-        done += 1 + crew.runTask(index, id);
-        processed++;
-        fromOthers += turn == 0 ? 0 : 1;
-      }
+    line[TURN] = 0;
+    line[CLAIMED] = 0;
+    line[FROM_OTHERS] = 0;
+    line[TAKEN_BACK] = 0;
+    int first = first();
+    if (first < 0) {
+      return;
     }
-    if (done > 0) {
-      cells += processed;
-      stolen += fromOthers;
-      busyNanos += System.nanoTime() - begin;
-      finish(done);
-    }
-  }
-
-  private void finish(int tasks) {
-    if (tickets.finish(tasks)) {
+    long begin = System.nanoTime();
+    int rest = crew.runFrom(first, this); // apart: next() adds to what is taken back too
+    line[TAKEN_BACK] += rest;
+    line[CELLS] += line[CLAIMED];
+    line[STOLEN] += line[FROM_OTHERS];
+    line[BUSY_NANOS] += System.nanoTime() - begin;
+    if (tickets.finish((int) (line[CLAIMED] + line[TAKEN_BACK]))) {
       signals.finished();
     }
   }
 
+  private int first() {
+    int remaining = tickets.claimHome(id);
+    if (remaining <= 0) {
+      line[TURN] = 1;
+      return nextFromOthers();
+    }
+    int end = tickets.end(id);
+    line[HOME_END] = end;
+    return claimed(end - remaining);
+  }
+
+  /** Claims the next task of the pass in work: its number, or -1 if none is left. */
+  int next() {
+    if (id == 0 && Thread.currentThread().isInterrupted()) {
+      line[TAKEN_BACK] += crew.takeRest();
+    }
+    if (line[TURN] == 0) {
+      int end = (int) line[HOME_END]; // read early: nothing is read ahead of a claim
+      int remaining = tickets.claimHome(id);
+      if (remaining > 0) {
+        return claimed(end - remaining);
+      }
+      line[TURN] = 1;
+    }
+    return nextFromOthers();
+  }
+
+  private int nextFromOthers() {
+    for (; line[TURN] < workers; line[TURN]++) {
+      int segment = (id + (int) line[TURN]) % workers;
+      int remaining = tickets.claimFrom(segment);
+      if (remaining > 0) {
+        line[FROM_OTHERS]++;
+        return claimed(tickets.end(segment) - remaining);
+      }
+    }
+    return -1;
+  }
+
+  private int claimed(int index) {
+    line[CLAIMED]++;
+    line[IN_WORK] = index;
+    return index;
+  }
+
+  int id() {
+    return id;
+  }
+
+  /** The task claimed last. */
+  int inWork() {
+    return (int) line[IN_WORK];
+  }
+
   long cells() {
-    return cells;
+    return line[CELLS];
   }
 
   long stolen() {
-    return stolen;
+    return line[STOLEN];
   }
 
   long busyNanos() {
-    return busyNanos;
+    return line[BUSY_NANOS];
   }
 }
