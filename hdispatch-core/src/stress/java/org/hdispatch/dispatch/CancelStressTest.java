@@ -15,7 +15,8 @@ import org.openjdk.jcstress.infra.results.III_Result;
  * pattern).
  *
  * <p>The protocol of the dispatcher, with its primitives but not with its code: the caller opens,
- * says so, and reads the flag; who cancels (or closes) raises the flag and reads which pass is open.
+ * says so, and reads the flag; who cancels (or closes) raises the flag and reads which pass is
+ * open.
  *
  * <p>Result: tasks taken back by the caller, by the canceller, and how often {@code finish} said
  * that these were the last.

@@ -13,7 +13,8 @@ import org.openjdk.jcstress.infra.results.III_Result;
 /**
  * A drain of an earlier pass leaves the pass opened meanwhile alone: the ticket holds the epoch.
  *
- * <p>Result: tasks of pass 1 claimed, tasks drained, tasks of pass 2 found at the end.
+ * <p>Result: tasks of pass 1 claimed (-1 if it never ended), tasks drained, tasks of pass 2 found
+ * at the end.
  */
 @JCStressTest
 @Outcome(id = "1, 0, 1", expect = ACCEPTABLE, desc = "The drain came too late.")
@@ -36,8 +37,9 @@ public class DrainOldPassStressTest {
       r.r1 = 1;
       tickets.finish(1);
     }
-    while (!tickets.finished()) {
-      Thread.onSpinWait();
+    if (!Patience.untilFinished(tickets)) {
+      r.r1 = -1;
+      return;
     }
     tickets.open(2, ends, Handout.PULL);
   }
