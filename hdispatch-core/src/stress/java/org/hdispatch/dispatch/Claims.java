@@ -11,8 +11,8 @@ final class Claims {
   /** Claims from the home segment and then from another until none is left; returns how many. */
   int pull(PullTickets tickets, int home, int other) {
     int claimed = 0;
-    for (int index = tickets.claimHome(home); index >= 0; index = tickets.claimHome(home)) {
-      times[index]++;
+    for (int left = tickets.claimHome(home); left > 0; left = tickets.claimHome(home)) {
+      times[tickets.end(home) - left]++;
       claimed++;
     }
     return claimed + steal(tickets, other);
@@ -21,8 +21,8 @@ final class Claims {
   /** Claims from a segment that is not home until none is left; returns how many. */
   int steal(PullTickets tickets, int segment) {
     int claimed = 0;
-    for (int index = tickets.claimFrom(segment); index >= 0; index = tickets.claimFrom(segment)) {
-      times[index]++;
+    for (int left = tickets.claimFrom(segment); left > 0; left = tickets.claimFrom(segment)) {
+      times[tickets.end(segment) - left]++;
       claimed++;
     }
     return claimed;

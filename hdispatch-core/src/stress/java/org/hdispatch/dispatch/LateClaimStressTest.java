@@ -40,7 +40,7 @@ public class LateClaimStressTest {
   /** Pulls at home, waits for the end of pass 1, opens pass 2. */
   @Actor
   public void caller(IIZ_Result r) {
-    if (tickets.claimHome(0) >= 0) {
+    if (tickets.claimHome(0) > 0) {
       r.r1 = payload;
       tickets.finish(1);
     }
@@ -55,7 +55,7 @@ public class LateClaimStressTest {
   /** Takes from the caller's segment. */
   @Actor
   public void worker(IIZ_Result r) {
-    if (tickets.claimFrom(0) >= 0) {
+    if (tickets.claimFrom(0) > 0) {
       r.r2 = payload;
       tickets.finish(1);
     }

@@ -46,10 +46,10 @@ public class OpenStressTest {
   /** Worker 1, its mind still in pass 1: tries home, then elsewhere. */
   @Actor
   public void worker(IIII_Result r) {
-    int home = tickets.claimHome(1);
-    r.r1 = home < 0 ? -1 : home * 10 + payload;
-    int other = tickets.claimFrom(0);
-    r.r2 = other < 0 ? -1 : other * 10 + payload;
+    int leftAtHome = tickets.claimHome(1);
+    r.r1 = leftAtHome <= 0 ? -1 : (tickets.end(1) - leftAtHome) * 10 + payload;
+    int left = tickets.claimFrom(0);
+    r.r2 = left <= 0 ? -1 : (tickets.end(0) - left) * 10 + payload;
   }
 
   /** Takes the rest back and finishes the pass. */
