@@ -2,23 +2,29 @@ package org.hdispatch.bench.peer;
 
 import java.util.concurrent.BrokenBarrierException;
 import java.util.concurrent.CyclicBarrier;
-import java.util.concurrent.atomic.AtomicInteger;
 
 /**
- * Threads that pull cell numbers from one shared counter and meet at a barrier before and after
- * each step: the dispatcher as one would write it in an afternoon. The caller is one of them.
+ * Threads that take cells from one shared supply and meet at a {@code CyclicBarrier} before and
+ * after each step. The caller is one of them.
  */
 public final class BarrierSweeper implements Sweeper {
   private final CyclicBarrier barrier;
-  private final AtomicInteger next = new AtomicInteger();
-  private final int cells;
+  private final Supply supply;
   private final CellTask task;
   private volatile boolean closed;
 
-  /** Starts {@code workers - 1} threads for cells 0 to {@code cells - 1}. */
-  public BarrierSweeper(int workers, int cells, CellTask task) {
+  /** Where the threads take cells from. */
+  interface Supply {
+    /** Lays out the cells of a step; called by one thread while the others wait. */
+    void refill();
+
+    /** Takes a cell: its number, or a negative one if none is left. */
+    int take();
+  }
+
+  private BarrierSweeper(int workers, Supply supply, CellTask task) {
     barrier = new CyclicBarrier(workers);
-    this.cells = cells;
+    this.supply = supply;
     this.task = task;
     for (int id = 1; id < workers; id++) {
       Thread thread = new Thread(this::work, "barrier-" + id);
@@ -27,10 +33,26 @@ public final class BarrierSweeper implements Sweeper {
     }
   }
 
+  /**
+   * Starts {@code workers - 1} threads that count through cells 0 to {@code cells - 1}: the
+   * dispatcher as one would write it in an afternoon.
+   */
+  public static BarrierSweeper overCounter(int workers, int cells, CellTask task) {
+    return new BarrierSweeper(workers, new SharedCounter(cells), task);
+  }
+
+  /**
+   * Starts {@code workers - 1} threads that poll the keys of cells 0 to {@code cells - 1} from a
+   * queue: the naive queue of events.
+   */
+  public static BarrierSweeper overQueue(int workers, int cells, CellTask task) {
+    return new BarrierSweeper(workers, new QueueOfKeys(cells), task);
+  }
+
   @Override
   public void run(int steps) {
     for (int step = 0; step < steps; step++) {
-      next.set(0);
+      supply.refill();
       await();
       pull();
       await();
@@ -49,7 +71,7 @@ public final class BarrierSweeper implements Sweeper {
   }
 
   private void pull() {
-    for (int cell = next.getAndIncrement(); cell < cells; cell = next.getAndIncrement()) {
+    for (int cell = supply.take(); cell >= 0; cell = supply.take()) {
       task.process(cell);
     }
   }

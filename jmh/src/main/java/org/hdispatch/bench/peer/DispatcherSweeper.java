@@ -6,7 +6,6 @@ import org.hdispatch.cell.CellMap;
 import org.hdispatch.cell.Ends;
 import org.hdispatch.cell.KeyOrder;
 import org.hdispatch.dispatch.Dispatcher;
-import org.hdispatch.dispatch.Handout;
 import org.hdispatch.dispatch.Scheme;
 import org.hdispatch.dispatch.TimeLoop;
 
@@ -15,14 +14,14 @@ public final class DispatcherSweeper implements Sweeper {
   private final Dispatcher dispatcher;
   private final TimeLoop loop;
 
-  /** A dispatcher with {@code workers} workers for cells 0 to {@code cells - 1}. */
-  public DispatcherSweeper(int workers, int cells, Handout handout, CellTask task) {
+  /** A dispatcher of these settings for cells 0 to {@code cells - 1}. */
+  public DispatcherSweeper(Dispatcher.Builder settings, int cells, CellTask task) {
     CellMap<Cell> row =
         CellMap.of(
             CellGrid.of(cells, 1, 1, Ends.OPEN).keys(),
             KeyOrder.ROW,
             key -> new Cell(CellKey.i(key)));
-    dispatcher = Dispatcher.builder().workers(workers).handout(handout).build();
+    dispatcher = settings.build();
     loop =
         dispatcher.loop(
             Scheme.of(row).pass("task", (cell, none, tick) -> task.process(cell.number())).build());

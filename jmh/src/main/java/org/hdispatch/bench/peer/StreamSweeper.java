@@ -1,6 +1,5 @@
 package org.hdispatch.bench.peer;
 
-import java.util.concurrent.ForkJoinPool;
 import java.util.stream.IntStream;
 
 /**
@@ -21,15 +20,7 @@ public final class StreamSweeper implements Sweeper {
    *     and the caller
    */
   public StreamSweeper(int workers, int cells, CellTask task) {
-    int all = ForkJoinPool.getCommonPoolParallelism() + 1;
-    if (workers != 1 && workers != all) {
-      throw new IllegalArgumentException(
-          "stream must have 1 worker or all of the common pool (set"
-              + " -Djava.util.concurrent.ForkJoinPool.common.parallelism=workers-1): workers="
-              + workers
-              + ", all="
-              + all);
-    }
+    CommonPool.require(workers);
     this.workers = workers;
     this.cells = cells;
     this.task = task;

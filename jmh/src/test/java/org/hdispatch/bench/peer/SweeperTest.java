@@ -1,51 +1,62 @@
 package org.hdispatch.bench.peer;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertThrows;
+import static org.junit.jupiter.api.Assertions.assertTimeoutPreemptively;
 
 import java.time.Duration;
-import java.util.List;
 import java.util.concurrent.ForkJoinPool;
 import java.util.concurrent.atomic.AtomicIntegerArray;
-import java.util.function.Function;
-import org.hdispatch.dispatch.Handout;
-import org.junit.jupiter.api.Assertions;
+import org.junit.jupiter.api.Assumptions;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.EnumSource;
 
 /** A peer that left cells out would look fast. */
 class SweeperTest {
   private static final int CELLS = 100;
   private static final int STEPS = 50;
 
-  @Test
-  void processesEveryCellOncePerStep() {
-    for (int n = 1; n <= 3; n++) {
-      int workers = n;
-      List<Function<CellTask, Sweeper>> all =
-          List.of(
-              task -> new SequentialSweeper(CELLS, task),
-              task ->
-                  new StreamSweeper(
-                      workers == 1 ? 1 : ForkJoinPool.getCommonPoolParallelism() + 1, CELLS, task),
-              task -> new InvokeAllSweeper(workers, CELLS, task),
-              task -> new BarrierSweeper(workers, CELLS, task),
-              task -> new DispatcherSweeper(workers, CELLS, Handout.PULL, task),
-              task -> new DispatcherSweeper(workers, CELLS, Handout.STATIC, task));
-      for (Function<CellTask, Sweeper> each : all) {
-        Assertions.assertTimeoutPreemptively(
-            Duration.ofMinutes(1), () -> processesEveryCellOncePerStep(each));
+  @ParameterizedTest
+  @EnumSource
+  void processesEveryCellOncePerStep(Peer peer) {
+    Assumptions.assumeTrue(peer != Peer.VIRTUAL_THREADS || Runtime.version().feature() >= 21);
+    for (int workers : numbersOfWorkers(peer)) {
+      assertTimeoutPreemptively(
+          Duration.ofMinutes(1), () -> processesEveryCellOncePerStep(peer, workers));
+    }
+  }
+
+  private static void processesEveryCellOncePerStep(Peer peer, int workers) {
+    AtomicIntegerArray visits = new AtomicIntegerArray(CELLS);
+    try (Sweeper sweeper = peer.start(workers, CELLS, visits::incrementAndGet)) {
+      sweeper.run(STEPS);
+      sweeper.run(1);
+      for (int cell = 0; cell < CELLS; cell++) {
+        assertEquals(STEPS + 1, visits.get(cell), "workers " + workers + ", cell " + cell);
       }
     }
   }
 
-  private static void processesEveryCellOncePerStep(Function<CellTask, Sweeper> of) {
-    AtomicIntegerArray visits = new AtomicIntegerArray(CELLS);
-    try (Sweeper sweeper = of.apply(visits::incrementAndGet)) {
-      sweeper.run(STEPS);
-      sweeper.run(1);
-      for (int cell = 0; cell < CELLS; cell++) {
-        assertEquals(
-            STEPS + 1, visits.get(cell), sweeper.getClass().getSimpleName() + ", cell " + cell);
-      }
+  /** Where the threads are the JVM's, there are as many as it has. */
+  private static int[] numbersOfWorkers(Peer peer) {
+    int common = ForkJoinPool.getCommonPoolParallelism() + 1;
+    return switch (peer) {
+      case STREAM, FORK_JOIN -> new int[] {1, common};
+      case VIRTUAL_THREADS -> new int[] {Runtime.getRuntime().availableProcessors()};
+      default -> new int[] {1, 2, 3};
+    };
+  }
+
+  @Test
+  void refusesThreadsThatTheJvmDoesNotHave() {
+    for (Peer peer : new Peer[] {Peer.STREAM, Peer.FORK_JOIN}) {
+      assertThrows(IllegalArgumentException.class, () -> peer.start(1000, CELLS, cell -> {}));
     }
+    Class<? extends RuntimeException> refusal =
+        Runtime.version().feature() < 21
+            ? UnavailablePeerException.class
+            : IllegalArgumentException.class;
+    assertThrows(refusal, () -> Peer.VIRTUAL_THREADS.start(1000, CELLS, cell -> {}));
   }
 }
