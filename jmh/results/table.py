@@ -12,6 +12,8 @@ number of workers.
 A metric is `score` or the name of a secondary one, as `gc.alloc.rate.norm`. Without --metric it is
 the benchmark's own counter (task, cell, mflups), or the score where there is none; of single shots
 the slowest stands beside the median. With --over-ideal a figure is time - sequential / workers.
+
+Below a table stands what handing a cache line back and forth cost while it was measured.
 """
 
 import argparse
@@ -34,12 +36,18 @@ class Reading:
     values: tuple  # all readings
     single_shot: bool = False
     sequential: float = 0.0  # where the record itself says it
+    round_trips: tuple = ()  # of a cache line, ns
 
     def param(self, name):
         return dict(self.params).get(name)
 
     def without(self, *names):
         return tuple(p for p in self.params if p[0] not in names)
+
+
+def raw(data):
+    """All readings of all forks."""
+    return tuple(v for fork in data.get("rawData", []) for v in fork if v != "NaN")
 
 
 def jmh(record, wanted):
@@ -50,7 +58,7 @@ def jmh(record, wanted):
     if metric != "score" and metric not in secondary:
         return None
     data = record["primaryMetric"] if metric == "score" else secondary[metric]
-    values = tuple(v for fork in data.get("rawData", []) for v in fork if v != "NaN")
+    values = raw(data)
     name, method = record["benchmark"].rsplit(".", 1)
     return Reading(
         name.rsplit(".", 1)[1],
@@ -60,6 +68,7 @@ def jmh(record, wanted):
         unit(metric, data["scoreUnit"]),
         values,
         record["mode"] == "ss",
+        round_trips=raw(secondary.get("roundTripNs", {})),
     )
 
 
@@ -87,6 +96,7 @@ def openmp(record, threads):
         "ns a task",
         (record["nsPerTaskMedian"],),
         sequential=record["sequentialNsPerTaskMedian"],
+        round_trips=tuple(t for t in [record.get("roundTripNs")] if t),
     )
 
 
@@ -173,6 +183,11 @@ def table(readings, over_ideal):
     yield "|---" * (1 + len(heads)) + "|"
     for name in rows:
         yield "| " + " | ".join([name, *(cells.get((name, c), "") for c in columns)]) + " |"
+    trips = [t for r in readings for t in r.round_trips]
+    if trips:
+        median = statistics.median(trips)
+        yield ""
+        yield f"round trip of a cache line: {min(trips):.0f} to {max(trips):.0f} ns, median {median:.0f}"
 
 
 def main():

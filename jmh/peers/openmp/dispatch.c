@@ -19,6 +19,7 @@
 #include <errno.h>
 #include <getopt.h>
 #include <omp.h>
+#include <stdatomic.h>
 #include <stdbool.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -73,6 +74,30 @@ static double nsPerStep(Sweep *sweep, long batch, double least) {
   return time / (double) steps;
 }
 
+/* What it costs two threads to hand a cache line back and forth: it may change with the cores that
+   the host gives a virtual machine, and the cost of every shared word with it. */
+static double roundTrip(void) {
+  enum { TRIPS = 20000 };
+  static _Alignas(128) atomic_long there;
+  static _Alignas(128) atomic_long back;
+  double begin = now();
+  atomic_store(&there, 0);
+  atomic_store(&back, 0);
+#pragma omp parallel num_threads(2)
+  for (long trip = 1; trip <= TRIPS; trip++) {
+    if (omp_get_thread_num() == 0) {
+      atomic_store(&there, trip);
+      while (atomic_load(&back) != trip) {
+      }
+    } else {
+      while (atomic_load(&there) != trip) {
+      }
+      atomic_store(&back, trip);
+    }
+  }
+  return (now() - begin) / TRIPS;
+}
+
 static uint64_t hashOfSums(void) {
   uint64_t hash = 0;
   for (int cell = 0; cell < cells; cell++) {
@@ -110,8 +135,9 @@ static void measure(FILE *json, int law, int number, long work, int threads, boo
       readings[s][round] = nsPerStep(sweeps[s], batches[s], taken ? TAKEN_READING_NS : READING_NS);
     }
   }
-  printf("\n%s, %d cells, work %ld%s\n%-11s %11s %11s %11s %9s %11s\n", LAW_NAMES[law], cells, work,
-         taken ? ", a core taken" : "", "schedule", "ns/task", "min", "us/step", "speed-up",
+  double trip = threads < 2 || taken ? 0 : roundTrip();
+  printf("\n%s, %d cells, work %ld%s, round trip %.0f ns\n%-11s %11s %11s %11s %9s %11s\n", LAW_NAMES[law], cells, work,
+         taken ? ", a core taken" : "", trip, "schedule", "ns/task", "min", "us/step", "speed-up",
          "efficiency");
   for (int s = 0; s < SCHEDULES; s++) {
     double sorted[ROUNDS];
@@ -127,10 +153,10 @@ static void measure(FILE *json, int law, int number, long work, int threads, boo
             "%s\n    {\"peer\": \"openmp\", \"schedule\": \"%s\", \"law\": \"%s\", \"cells\": %d, "
             "\"work\": %ld, \"threads\": %d, \"taken\": %s,\n     \"nsPerTaskMedian\": %.4f, "
             "\"nsPerTaskMin\": %.4f, \"sequentialNsPerTaskMedian\": %.4f, \"speedUp\": %.4f, "
-            "\"efficiency\": %.4f,\n     \"nsPerStep\": [",
+            "\"efficiency\": %.4f, \"roundTripNs\": %.0f,\n     \"nsPerStep\": [",
             records++ > 0 ? "," : "", NAMES[s], LAW_NAMES[law], cells, work, used,
             taken ? "true" : "false", median / cells, sorted[0] / cells, sequential / cells, speedUp,
-            speedUp / used);
+            speedUp / used, trip);
     for (int round = 0; round < ROUNDS; round++) {
       fprintf(json, "%.2f%s", readings[s][round], round < ROUNDS - 1 ? ", " : "]}");
     }

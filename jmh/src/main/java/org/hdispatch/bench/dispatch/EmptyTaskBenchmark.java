@@ -45,7 +45,8 @@ public class EmptyTaskBenchmark extends Sweep {
   /** Some steps. */
   @Benchmark
   @OperationsPerInvocation(STEPS)
-  public void step(TaskCount count) {
+  public void step(TaskCount count, RoundTrip machine) {
     run(STEPS, count);
+    machine.report();
   }
 }

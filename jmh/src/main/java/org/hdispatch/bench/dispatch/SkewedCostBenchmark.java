@@ -61,7 +61,8 @@ public class SkewedCostBenchmark extends Sweep {
   /** Some steps. */
   @Benchmark
   @OperationsPerInvocation(STEPS)
-  public void step(TaskCount count) {
+  public void step(TaskCount count, RoundTrip machine) {
     run(STEPS, count);
+    machine.report();
   }
 }

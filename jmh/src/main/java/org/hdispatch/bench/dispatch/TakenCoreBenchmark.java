@@ -74,7 +74,8 @@ public class TakenCoreBenchmark extends Sweep {
   /** Some steps. */
   @Benchmark
   @OperationsPerInvocation(STEPS)
-  public void step(TaskCount count) {
+  public void step(TaskCount count, RoundTrip machine) {
     run(STEPS, count);
+    machine.report();
   }
 }

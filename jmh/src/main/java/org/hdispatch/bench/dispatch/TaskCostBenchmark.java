@@ -49,7 +49,8 @@ public class TaskCostBenchmark extends Sweep {
   /** Some steps. */
   @Benchmark
   @OperationsPerInvocation(STEPS)
-  public void step(TaskCount count) {
+  public void step(TaskCount count, RoundTrip machine) {
     run(STEPS, count);
+    machine.report();
   }
 }
