@@ -2,6 +2,7 @@ package org.hdispatch.dispatch;
 
 import java.util.concurrent.CancellationException;
 import java.util.concurrent.atomic.AtomicBoolean;
+import java.util.concurrent.atomic.AtomicLong;
 import java.util.concurrent.atomic.AtomicReference;
 import java.util.concurrent.locks.LockSupport;
 import java.util.function.IntFunction;
@@ -34,7 +35,7 @@ final class Crew {
   /** A run in progress, as the threads that may end it early see it. */
   static final class Run {
     private volatile boolean cancelled;
-    private volatile long openPass;
+    private final AtomicLong openPass = new AtomicLong();
   }
 
   /** Starts a thread for every worker but the first, who is the caller. */
@@ -120,11 +121,11 @@ final class Crew {
     task = newTask;
     long pass = ++epoch;
     tickets.open(pass, ends, how);
-    run.openPass = pass;
+    run.openPass.setRelease(pass);
+    signals.announce(pass); // a full fence lies between what is written above and the flags
     if (closed || run.cancelled) {
       takeBack(pass);
     }
-    signals.announce(pass);
     workers[0].pull();
     boolean interrupted = false;
     while (!tickets.finished()) {
@@ -172,13 +173,13 @@ final class Crew {
   /** Asks a run to end; safe from any thread. */
   void cancel(Run run) {
     run.cancelled = true;
-    takeBack(run.openPass);
+    takeBack(run.openPass.get());
   }
 
   /** Ends the run in progress; waits for it and for the threads, unless called from within. */
   void close() {
     closed = true;
-    takeBack(active.openPass);
+    takeBack(active.openPass.get());
     signals.announce(-1);
     if (signals.isWorker(Thread.currentThread())) {
       return;

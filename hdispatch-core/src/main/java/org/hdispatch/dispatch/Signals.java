@@ -10,8 +10,8 @@ import java.util.function.IntFunction;
  * when it is done; spins, then parks.
  *
  * <p>Parking is Dekker's pattern: whoever goes to sleep raises its flag and then looks once more;
- * whoever has news writes it and then looks at the flag. Both sides use volatile accesses, so at
- * least one of them sees the other, and no wake-up is lost.
+ * whoever has news writes it and then looks at the flag. Both sides use volatile accesses or a full
+ * fence in between, so at least one of them sees the other, and no wake-up is lost.
  */
 final class Signals {
   private static final VarHandle WORD = MethodHandles.arrayElementVarHandle(long[].class);
@@ -79,9 +79,13 @@ final class Signals {
     }
   }
 
-  /** Announces a pass (or the end) to the workers. */
+  /**
+   * Announces a pass (or the end) to the workers. One full fence orders all that the caller has
+   * written before it, whichever word it is, with all flags that it reads after it.
+   */
   void announce(long epoch) {
-    WORD.setVolatile(words, EPOCH, epoch);
+    WORD.setRelease(words, EPOCH, epoch);
+    VarHandle.fullFence();
     for (int worker = 1; worker < threads.length; worker++) {
       wake(worker);
     }

@@ -3,6 +3,8 @@ package org.hdispatch.dispatch;
 import static org.openjdk.jcstress.annotations.Expect.ACCEPTABLE;
 import static org.openjdk.jcstress.annotations.Expect.FORBIDDEN;
 
+import java.lang.invoke.VarHandle;
+import java.util.concurrent.atomic.AtomicLong;
 import org.openjdk.jcstress.annotations.Actor;
 import org.openjdk.jcstress.annotations.Arbiter;
 import org.openjdk.jcstress.annotations.JCStressTest;
@@ -30,7 +32,7 @@ import org.openjdk.jcstress.infra.results.III_Result;
 public class CancelStressTest {
   private final PullTickets tickets = new PullTickets(2);
   private volatile boolean cancelled;
-  private volatile long openPass;
+  private final AtomicLong openPass = new AtomicLong();
   private boolean callerLast;
   private boolean cancellerLast;
 
@@ -38,7 +40,8 @@ public class CancelStressTest {
   @Actor
   public void caller(III_Result r) {
     tickets.open(1, new int[] {1, 2}, Handout.PULL);
-    openPass = 1;
+    openPass.setRelease(1);
+    VarHandle.fullFence();
     if (cancelled) {
       r.r1 = tickets.drain(1);
       callerLast = r.r1 > 0 && tickets.finish(r.r1);
@@ -49,7 +52,7 @@ public class CancelStressTest {
   @Actor
   public void canceller(III_Result r) {
     cancelled = true;
-    r.r2 = tickets.drain(openPass);
+    r.r2 = tickets.drain(openPass.get());
     cancellerLast = r.r2 > 0 && tickets.finish(r.r2);
   }
 
