@@ -190,7 +190,11 @@ class ArchitectureTest {
         .that(elsewhere)
         .should()
         .dependOnClassesThat(
-            resideInAnyPackage("java.util.concurrent.atomic..", "java.util.concurrent.locks..")
+            resideInAPackage("java.util.concurrent..")
+                .and(
+                    DescribedPredicate.not(
+                        DescribedPredicate.describe(
+                            "how a run ends", c -> c.isEquivalentTo(CancellationException.class))))
                 .or(
                     DescribedPredicate.describe(
                         "VarHandle", c -> c.isEquivalentTo(VarHandle.class))))

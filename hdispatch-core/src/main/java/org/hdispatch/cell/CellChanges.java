@@ -22,30 +22,52 @@ public final class CellChanges {
   /**
    * Asks for a cell to be there. {@link CellKey#NONE} and the key of a cell that exists already ask
    * for nothing.
+   *
+   * @throws IllegalArgumentException if no cell can have this key
    */
   public void add(long key) {
-    if (key != CellKey.NONE) {
+    if (isCell(key)) {
       added = withRoom(added, addedCount + 1);
       added[addedCount++] = key;
     }
   }
 
-  /** Asks for a cell to go. {@link CellKey#NONE} and a key without a cell ask for nothing. */
+  /**
+   * Asks for a cell to go. {@link CellKey#NONE} and a key without a cell ask for nothing.
+   *
+   * @throws IllegalArgumentException if no cell can have this key
+   */
   public void remove(long key) {
-    if (key != CellKey.NONE) {
+    if (isCell(key)) {
       removed = withRoom(removed, removedCount + 1);
       removed[removedCount++] = key;
     }
   }
 
-  /** Adds what others ask for. */
-  public void addAll(CellChanges others) {
+  private static boolean isCell(long key) {
+    if (CellKey.isKey(key)) {
+      return true;
+    }
+    if (key != CellKey.NONE) {
+      throw Refusal.noKey(key);
+    }
+    return false;
+  }
+
+  /**
+   * Takes over what others ask for, who ask for nothing then. They get as much room as this has, so
+   * that it makes no difference to the garbage which of them asks for how much.
+   */
+  public void takeAll(CellChanges others) {
     added = withRoom(added, addedCount + others.addedCount);
     removed = withRoom(removed, removedCount + others.removedCount);
     System.arraycopy(others.added, 0, added, addedCount, others.addedCount);
     System.arraycopy(others.removed, 0, removed, removedCount, others.removedCount);
     addedCount += others.addedCount;
     removedCount += others.removedCount;
+    others.clear();
+    others.added = withRoom(others.added, added.length);
+    others.removed = withRoom(others.removed, removed.length);
   }
 
   /** Whether nothing is asked for. */

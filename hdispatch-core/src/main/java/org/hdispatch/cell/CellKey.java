@@ -43,6 +43,11 @@ public final class CellKey {
     return (long) (k - MIN) << 2 * BITS | (long) (j - MIN) << BITS | i - MIN;
   }
 
+  /** Whether {@link #of} gives this key for some coordinates. */
+  static boolean isKey(long key) {
+    return key >= 0;
+  }
+
   /** First coordinate of a key. */
   public static int i(long key) {
     return (int) (key & MASK) + MIN;

@@ -10,14 +10,14 @@ import java.util.function.ObjLongConsumer;
  * which a dispatcher hands them out.
  *
  * <p>Cells are made in that order, so that cells handed out one after the other also lie one after
- * the other in a young heap. The set of cells changes only in {@link #apply}, between steps; in
- * between, look-ups from any thread are safe.
+ * the other in a young heap. The set of cells changes only in {@link #apply}, between steps; until
+ * then look-ups from any thread are safe.
  *
  * @param <C> type of a cell
  */
 public final class CellMap<C> {
   private final KeyOrder order;
-  private final LongFunction<? extends C> newCell;
+  private final LongFunction<? extends C> newCell; // null: the cells are fixed
   private final ObjLongConsumer<? super C> renew; // null: removed cells are not kept
   private final CellTable<C> table;
 
@@ -32,19 +32,26 @@ public final class CellMap<C> {
   private long revision;
 
   private CellMap(
-      long[] orderedKeys,
+      long[] cellKeys,
       KeyOrder order,
+      LongFunction<? extends C> firstCell,
       LongFunction<? extends C> newCell,
       ObjLongConsumer<? super C> renew) {
+    Objects.requireNonNull(firstCell, "newCell");
+    for (long key : cellKeys) {
+      if (!CellKey.isKey(key)) {
+        throw Refusal.noKey(key);
+      }
+    }
     this.order = order;
-    this.newCell = Objects.requireNonNull(newCell, "newCell");
+    this.newCell = newCell;
     this.renew = renew;
-    keys = orderedKeys;
+    keys = order.sorted(cellKeys);
     size = keys.length;
     cells = new Object[size];
     table = new CellTable<>(size);
     for (int index = 0; index < size; index++) {
-      C cell = newCell(keys[index]);
+      C cell = made(firstCell, keys[index]);
       if (table.put(keys[index], cell) != null) {
         throw Refusal.twice(keys[index]);
       }
@@ -57,16 +64,18 @@ public final class CellMap<C> {
    *
    * @param keys keys of the cells, each once, in any order
    * @param order order of allocation and hand-out
-   * @param newCell makes the cell of a key, now and for every cell added later
-   * @throws IllegalArgumentException if a key comes twice or {@code newCell} returns null
+   * @param newCell makes the cell of a key, now and for every cell added later; then it sees the
+   *     map as it was before the change
+   * @throws IllegalArgumentException if a key comes twice or is none, or {@code newCell} returns
+   *     null
    */
   public static <C> CellMap<C> of(long[] keys, KeyOrder order, LongFunction<? extends C> newCell) {
-    return new CellMap<>(order.sorted(keys), order, newCell, null);
+    return new CellMap<>(keys, order, newCell, newCell, null);
   }
 
   /**
-   * As {@link #of(long[], KeyOrder, LongFunction)}, and keeps removed cells to use them again: then
-   * adding and removing allocates nothing once everything has grown.
+   * As {@link #of(long[], KeyOrder, LongFunction)}, and keeps removed cells to use them again, from
+   * the next change on: then adding and removing allocates nothing once everything has grown.
    *
    * @param renew turns a cell removed earlier into the new cell of a key
    */
@@ -76,7 +85,16 @@ public final class CellMap<C> {
       LongFunction<? extends C> newCell,
       ObjLongConsumer<? super C> renew) {
     Objects.requireNonNull(renew, "renew");
-    return new CellMap<>(order.sorted(keys), order, newCell, renew);
+    return new CellMap<>(keys, order, newCell, newCell, renew);
+  }
+
+  /**
+   * As {@link #of(long[], KeyOrder, LongFunction)}, for cells that never change: {@link #apply}
+   * refuses, and {@code newCell} is not kept.
+   */
+  public static <C> CellMap<C> fixed(
+      long[] keys, KeyOrder order, LongFunction<? extends C> newCell) {
+    return new CellMap<>(keys, order, newCell, null, null);
   }
 
   /** The cell of a key, or null if there is none. */
@@ -117,22 +135,33 @@ public final class CellMap<C> {
    * Adds and removes cells, and clears the changes. Not during a step: what kernels ask for through
    * {@code Tick.changes()} is applied by the loop.
    *
-   * <p>New cells are made in key order, and the order of hand-out is the one that a new map of
-   * these keys would have. If a cell cannot be made, the map stays as it was.
+   * <p>New cells are made in the order of hand-out, and that order is then the one that a new map
+   * of these keys would have. If a cell cannot be made, the map stays as it was.
    *
    * @return whether any cell was added or removed
    * @throws IllegalArgumentException if {@code newCell} returns null
+   * @throws IllegalStateException if the cells are {@link #fixed}
    */
   public boolean apply(CellChanges changes) {
+    if (newCell == null) {
+      throw Refusal.fixed();
+    }
     try {
       changes.settle(order, this);
       if (changes.isEmpty()) {
         return false;
       }
+      int newSize = size - changes.removedCount() + changes.addedCount();
       makeAdded(changes);
-      takeOut(changes);
-      putIn(changes);
+      makeRoom(changes, newSize);
+      boolean refill = !table.hasRoomFor(changes.addedCount());
+      if (refill) {
+        table.clear(newSize);
+      }
+      takeOut(changes, refill);
+      putIn(changes, refill);
     } finally {
+      Arrays.fill(made, 0, Math.min(made.length, changes.addedCount()), null);
       changes.clear();
     }
     revision++;
@@ -146,13 +175,11 @@ public final class CellMap<C> {
     int renewed = Math.min(additions, spareCount);
     for (int n = 0; n < additions; n++) {
       long key = changes.addedAt(n);
-      made[n] = n < renewed ? renewed(spares[spareCount - 1 - n], key) : newCell(key);
+      made[n] = n < renewed ? renewed(spares[spareCount - 1 - n], key) : made(newCell, key);
     }
-    spareCount -= renewed;
-    Arrays.fill(spares, spareCount, spareCount + renewed, null);
   }
 
-  private C newCell(long key) {
+  private static <C> C made(LongFunction<? extends C> newCell, long key) {
     C cell = newCell.apply(key);
     if (cell == null) {
       throw Refusal.missing(key);
@@ -167,16 +194,29 @@ public final class CellMap<C> {
     return cell;
   }
 
-  private void takeOut(CellChanges changes) {
+  /** Allocates what the change needs, before it begins. */
+  private void makeRoom(CellChanges changes, int newSize) {
+    if (newSize > keys.length) {
+      keys = Arrays.copyOf(keys, Math.max(newSize, 2 * keys.length));
+    }
+    cells = withRoom(cells, newSize);
     if (renew != null) {
       spares = withRoom(spares, spareCount + changes.removedCount());
     }
+  }
+
+  private void takeOut(CellChanges changes, boolean refill) {
+    int renewed = Math.min(changes.addedCount(), spareCount);
+    spareCount -= renewed;
+    Arrays.fill(spares, spareCount, spareCount + renewed, null);
     int kept = 0;
     int next = 0;
     for (int index = 0; index < size; index++) {
       if (next < changes.removedCount() && keys[index] == changes.removedAt(next)) {
         next++;
-        table.remove(keys[index]);
+        if (!refill) {
+          table.remove(keys[index]);
+        }
         if (renew != null) {
           spares[spareCount++] = cells[index];
         }
@@ -190,54 +230,28 @@ public final class CellMap<C> {
   }
 
   /** Merges the new cells into the order, from its end. */
-  private void putIn(CellChanges changes) {
+  private void putIn(CellChanges changes, boolean refill) {
     int last = size - 1;
     int next = changes.addedCount() - 1;
     size += changes.addedCount();
-    if (size > keys.length) {
-      keys = Arrays.copyOf(keys, Math.max(size, 2 * keys.length));
-    }
-    cells = withRoom(cells, size);
     for (int index = size - 1; next >= 0; index--) {
       if (last >= 0 && order.compare(keys[last], changes.addedAt(next)) > 0) {
         keys[index] = keys[last];
         cells[index] = cells[last--];
       } else {
         keys[index] = changes.addedAt(next);
-        cells[index] = made[next];
-        next--;
+        cells[index] = made[next--];
+        if (!refill) {
+          table.put(keys[index], cellAt(index));
+        }
       }
     }
-    if (table.hasRoomFor(changes.addedCount())) {
-      for (int n = 0; n < changes.addedCount(); n++) {
-        table.put(changes.addedAt(n), madeAt(n));
-      }
-    } else {
-      table.clear(size);
-      for (int index = 0; index < size; index++) {
-        table.put(keys[index], cellAt(index));
-      }
+    for (int index = 0; refill && index < size; index++) {
+      table.put(keys[index], cellAt(index));
     }
-    Arrays.fill(made, 0, changes.addedCount(), null);
-  }
-
-  @SuppressWarnings("unchecked") // only cells of type C are ever stored
-  private C madeAt(int n) {
-    return (C) made[n];
   }
 
   private static Object[] withRoom(Object[] list, int count) {
     return count <= list.length ? list : Arrays.copyOf(list, Math.max(count, 2 * list.length));
-  }
-
-  /** Apart, so that the hot class has no string constants to be made when it is compiled. */
-  private static final class Refusal {
-    static IllegalArgumentException missing(long key) {
-      return new IllegalArgumentException("cell must exist: key=" + CellKey.toString(key));
-    }
-
-    static IllegalArgumentException twice(long key) {
-      return new IllegalArgumentException("cell keys must differ: key=" + CellKey.toString(key));
-    }
   }
 }

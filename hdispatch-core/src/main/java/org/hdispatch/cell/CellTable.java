@@ -4,9 +4,10 @@ import org.eclipse.collections.api.map.primitive.MutableLongObjectMap;
 import org.eclipse.collections.impl.map.mutable.primitive.LongObjectHashMap;
 
 /**
- * Hash map from keys to cells that allocates only when it grows: the library's map makes itself
- * anew when entries and marks of removed entries fill it; this one is cleared and filled again
- * before that happens.
+ * Hash map from keys to cells that allocates only when it grows. The library's map (as of 13.0)
+ * makes itself anew when entries and marks of removed entries fill it; this one is cleared and
+ * filled again before that happens, at most once in {@code room / 4} entries put. (Its two sentinel
+ * keys, 0 and 1, belong to the farthest corner of the coordinates.)
  */
 final class CellTable<C> {
   private MutableLongObjectMap<C> map;
@@ -41,11 +42,11 @@ final class CellTable<C> {
     map.removeKey(key);
   }
 
-  /** Empties it, with room for so many entries. */
+  /** Empties it, with room for so many entries and some more before the next time. */
   void clear(int entries) {
-    if (entries > room) {
-      room = Math.max(entries, 2 * room);
-      map = new LongObjectHashMap<>(room);
+    if (entries > room - room / 4) {
+      map = new LongObjectHashMap<>(2 * entries);
+      room = 2 * entries;
     } else {
       map.clear();
     }

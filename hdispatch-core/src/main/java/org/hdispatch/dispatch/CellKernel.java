@@ -44,8 +44,7 @@ public interface CellKernel<C, S> {
    *
    * @param cell the cell this worker pulled
    * @param scratch this worker's scratch, with rubbish in it
-   * @param tick the step, and which buffer is previous and which current, and the cells that are to
-   *     come and go; this worker's own
+   * @param tick the step, its buffers, and this worker's wishes for cells to come and go
    */
   void process(C cell, S scratch, Tick tick);
 }

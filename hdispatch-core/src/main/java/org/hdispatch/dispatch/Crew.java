@@ -12,8 +12,8 @@ import java.util.function.IntFunction;
  *
  * <p>Whatever ends a pass early (failure, cancel, interruption, close) does the same: it takes back
  * the tasks that nobody has claimed and counts them as done; those in work finish, and the pass
- * ends as ever. Whoever asks from outside raises a flag and then reads which pass is open; the
- * caller says which pass is open and then reads the flags (Dekker: one of the two sees the other).
+ * ends as ever. Whoever asks raises a flag and then reads which pass is open, or its tickets; the
+ * caller opens the pass and then reads the flags (Dekker: one of the two sees the other).
  */
 final class Crew {
   private final PullTickets tickets;
@@ -123,7 +123,7 @@ final class Crew {
     tickets.open(pass, ends, how);
     run.openPass.setRelease(pass);
     signals.announce(pass); // a full fence lies between what is written above and the flags
-    if (closed || run.cancelled) {
+    if (closed || run.cancelled || failure.get() != null) {
       takeBack(pass);
     }
     workers[0].pull();

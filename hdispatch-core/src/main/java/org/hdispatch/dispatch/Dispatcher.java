@@ -84,7 +84,7 @@ public final class Dispatcher implements AutoCloseable {
 
   /**
    * Ends the run in progress, if any, after the cells in work, waits until it has returned, and
-   * joins the threads. Called from a kernel it does not wait.
+   * joins the threads. Called from within a run (a kernel, a stop condition) it does not wait.
    */
   @Override
   public void close() {

@@ -2,14 +2,15 @@ package org.hdispatch.dispatch;
 
 import jdk.jfr.Category;
 import jdk.jfr.Description;
+import jdk.jfr.Enabled;
 import jdk.jfr.Event;
 import jdk.jfr.Label;
 import jdk.jfr.Name;
 import jdk.jfr.StackTrace;
 
 /**
- * What a loop tells a JDK Flight Recording that asks for it. Each loop fills the same few objects
- * again and again: events that are not recorded cost a look at a flag and no byte.
+ * What a loop tells a JDK Flight Recording that asks for it by name. Each loop fills the same few
+ * objects again and again: events that are not recorded cost a look at a flag and no byte.
  */
 final class Events {
   private Events() {}
@@ -20,6 +21,7 @@ final class Events {
   @Description("A completed step of a time loop")
   @Category("H-Dispatch")
   @StackTrace(false)
+  @Enabled(false)
   static final class StepDone extends Event {
     @Label("Step")
     long step;
@@ -34,6 +36,7 @@ final class Events {
   @Description("A completed pass over all cells")
   @Category("H-Dispatch")
   @StackTrace(false)
+  @Enabled(false)
   static final class PassDone extends Event {
     @Label("Step")
     long step;
@@ -51,6 +54,7 @@ final class Events {
   @Description("Cells were added or removed after a step")
   @Category("H-Dispatch")
   @StackTrace(false)
+  @Enabled(false)
   static final class CellsChanged extends Event {
     @Label("Step")
     long step;

@@ -32,9 +32,10 @@ final class HeaviestFirst {
   void reset(int tasks) {
     count = tasks;
     if (tasks > order.length) {
-      nanos = new long[tasks];
-      byClass = new int[tasks];
-      order = new int[tasks];
+      int room = Math.max(tasks, 2 * order.length);
+      nanos = new long[room];
+      byClass = new int[room];
+      order = new int[room];
     }
     Arrays.fill(nanos, 0, count, 0);
     passesToMeasurement = 0;

@@ -55,7 +55,7 @@ final class PullTickets {
   /**
    * Hands out the tasks of a pass.
    *
-   * @param epoch number of the pass, never used before
+   * @param epoch number of the pass, one more than that of the pass before; kept modulo 2^31
    * @param ends end of each segment; the last is the number of tasks
    */
   void open(long epoch, int[] ends, Handout handout) {

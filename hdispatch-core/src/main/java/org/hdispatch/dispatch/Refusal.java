@@ -23,6 +23,11 @@ final class Refusal {
     return new IllegalArgumentException("steps must not be negative: steps=" + steps);
   }
 
+  static IllegalStateException cellsChanged() {
+    return new IllegalStateException(
+        "cells must not change during a step other than through Tick.changes()");
+  }
+
   static CancellationException closedMeanwhile() {
     return new CancellationException("dispatcher was closed");
   }

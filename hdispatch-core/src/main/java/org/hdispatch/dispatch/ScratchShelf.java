@@ -10,7 +10,7 @@ final class ScratchShelf<S> implements Task {
   private final Supplier<S> newScratch;
   private final ScratchLifetime lifetime;
   private final Object[] scratch;
-  private final long[] madeInStep;
+  private final long[] madeInStep; // what was made with the loop serves step 0
 
   ScratchShelf(Supplier<S> newScratch, int workers, ScratchLifetime lifetime) {
     this.newScratch = newScratch;
@@ -29,8 +29,8 @@ final class ScratchShelf<S> implements Task {
   S scratch(int worker, Tick tick) {
     if (lifetime == ScratchLifetime.PER_CELL
         || lifetime == ScratchLifetime.PER_STEP && madeInStep[worker * STRIDE] != tick.step()) {
-      madeInStep[worker * STRIDE] = tick.step();
       scratch[worker * STRIDE] = newScratch.get();
+      madeInStep[worker * STRIDE] = tick.step();
     }
     return (S) scratch[worker * STRIDE];
   }

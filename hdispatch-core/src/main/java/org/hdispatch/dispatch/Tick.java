@@ -40,7 +40,8 @@ public final class Tick {
   /**
    * The cells that this worker wants added and removed. The loop applies what all workers ask for
    * when the step is complete, after {@link Scheme#afterStep}; a step that fails or is cancelled
-   * changes nothing. So the cells are the same for any number of workers.
+   * changes nothing. So the cells are the same for any number of workers. A new cell takes part
+   * from the next step on: whoever makes it fills both buffers.
    */
   public CellChanges changes() {
     return changes;

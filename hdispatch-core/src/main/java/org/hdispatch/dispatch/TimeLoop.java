@@ -11,10 +11,12 @@ import org.hdispatch.cell.CellMap;
  * Steps one scheme on one dispatcher.
  *
  * <p>A step that fails or is cancelled does not count: the tick stays, the cells stay, and a scheme
- * whose passes read only previous and write only current values can repeat it.
+ * whose passes read only previous and write only current values can repeat it; what {@link
+ * Scheme#beforeStep} and {@link Scheme#afterStep} did is repeated with it.
  *
- * <p>A JDK Flight Recording sees the events {@code org.hdispatch.Step}, {@code org.hdispatch.Pass}
- * and {@code org.hdispatch.CellsChanged}; when none is recorded they cost nothing.
+ * <p>A JDK Flight Recording may enable the events {@code org.hdispatch.Step}, {@code
+ * org.hdispatch.Pass} and {@code org.hdispatch.CellsChanged}. They are off by default, and cost a
+ * look at a flag then.
  */
 public final class TimeLoop {
   private final Crew crew;
@@ -64,7 +66,9 @@ public final class TimeLoop {
    * @throws KernelException if a kernel threw
    * @throws CancellationException if {@link #cancel} was called, the caller was interrupted (its
    *     interrupt status stays set) or the dispatcher closed
-   * @throws IllegalStateException if the dispatcher is running a loop already or is closed
+   * @throws IllegalStateException if the dispatcher is running a loop already or is closed, or if
+   *     the set of cells was changed during a step other than through {@link Tick#changes}
+   * @throws RuntimeException what the scheme threw before or after a step, or while it made a cell
    */
   public void run(long steps) {
     runUntil(after -> false, steps);
@@ -79,6 +83,7 @@ public final class TimeLoop {
    * @throws KernelException as {@link #run}
    * @throws CancellationException as {@link #run}
    * @throws IllegalStateException as {@link #run}
+   * @throws RuntimeException as {@link #run}
    */
   public boolean runUntil(Predicate<Tick> stop, long maxSteps) {
     if (maxSteps < 0) {
@@ -123,6 +128,9 @@ public final class TimeLoop {
       }
       for (Sweep sweep : sweeps) {
         sweep.pass(run, clock.step);
+        if (cells.revision() != revision) {
+          throw Refusal.cellsChanged();
+        }
       }
       scheme.afterStep(ticks[0]);
       stepDone.cells = cells.size();
@@ -152,18 +160,17 @@ public final class TimeLoop {
   private void changeCells() {
     CellChanges all = ticks[0].changes();
     for (int worker = 1; worker < ticks.length; worker++) {
-      CellChanges others = ticks[worker].changes();
-      if (!others.isEmpty()) {
-        all.addAll(others);
-        others.clear();
-      }
+      all.takeAll(ticks[worker].changes());
     }
     if (all.isEmpty()) {
       return;
     }
-    cellsChanged.begin();
+    boolean recorded = cellsChanged.isEnabled();
+    if (recorded) {
+      cellsChanged.begin();
+    }
     int before = cells.size();
-    if (cells.apply(all) && cellsChanged.isEnabled()) {
+    if (cells.apply(all) && recorded) {
       cellsChanged.end();
       cellsChanged.step = clock.step;
       cellsChanged.before = before;
@@ -186,7 +193,11 @@ public final class TimeLoop {
     crew.cancel(run);
   }
 
-  /** The clock. Read it between steps, or in a kernel. */
+  /**
+   * The clock, for reading: between steps, or in a kernel of another loop. A kernel asks for
+   * changes through the tick that it is given; between runs cells are changed by {@link
+   * CellMap#apply}.
+   */
   public Tick tick() {
     return ticks[0];
   }

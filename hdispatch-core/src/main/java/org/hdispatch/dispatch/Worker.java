@@ -27,7 +27,7 @@ final class Worker implements Runnable {
   private final PullTickets tickets;
   private final Signals signals;
 
-  /** All that this worker writes, under a claim; the caller reads it between passes. */
+  /** All that this worker writes. The totals it writes under a claim; the caller reads those. */
   private final long[] line = new long[3 * LINE];
 
   Worker(int id, int workers, Crew crew, PullTickets tickets, Signals signals) {
@@ -88,7 +88,7 @@ final class Worker implements Runnable {
       line[TAKEN_BACK] += crew.takeRest();
     }
     if (line[TURN] == 0) {
-      int end = (int) line[HOME_END]; // read early: nothing is read ahead of a claim
+      int end = (int) line[HOME_END]; // read before the claim: behind it, it would have to wait
       int remaining = tickets.claimHome(id);
       if (remaining > 0) {
         return claimed(end - remaining);

@@ -51,7 +51,11 @@ final class RecordedWindows {
       }
       case "jdk.SafepointEnd" ->
           safepointEnds.put(event.getLong("safepointId"), event.getEndTime());
-      default -> events.add(event);
+      default -> {
+        if (EVENTS.contains(event.getEventType().getName())) { // another recording may ask for more
+          events.add(event);
+        }
+      }
     }
   }
 
@@ -79,7 +83,7 @@ final class RecordedWindows {
         case "jdk.GCPhasePause" -> pauses = pauses.plus(event.getDuration());
         case "jdk.SafepointBegin" -> safepoints = safepoints.plus(stopped(event));
         case "jdk.ZAllocationStall" -> stalls = stalls.plus(event.getDuration());
-        default -> {} // another recording of this JVM may have enabled more
+        default -> {}
       }
     }
     return new GcReport(

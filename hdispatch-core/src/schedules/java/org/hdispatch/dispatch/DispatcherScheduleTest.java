@@ -4,6 +4,7 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import java.util.Arrays;
 import java.util.concurrent.CancellationException;
 import org.hdispatch.cell.CellGrid;
 import org.hdispatch.cell.CellKey;
@@ -13,17 +14,19 @@ import org.hdispatch.cell.KeyOrder;
 import org.junit.jupiter.api.Test;
 
 /**
- * Two cells, one or two workers that park at once: a run, with a cancel or a close at any moment,
- * always ends, with every cell once or not at all, and after the close every thread is gone.
+ * Four cells, one or two workers that park at once: a run of two steps, with a cancel, a close or a
+ * failure at any moment, always ends, with every cell once or not at all in a step, and after the
+ * close every thread is gone.
  */
 class DispatcherScheduleTest {
   private static final CellMap<Integer> CELLS =
-      CellMap.of(CellGrid.of(2, 1, 1, Ends.OPEN).keys(), KeyOrder.ROW, CellKey::i);
+      CellMap.of(CellGrid.of(4, 1, 1, Ends.OPEN).keys(), KeyOrder.ROW, CellKey::i);
 
   /** How a run ended. */
   private enum End {
     COMPLETE,
     CANCELLED,
+    FAILED,
     REFUSED
   }
 
@@ -37,6 +40,7 @@ class DispatcherScheduleTest {
     volatile boolean cancelled; // a cancel has returned
     volatile boolean closed; // a close has returned
     boolean cancelSeen; // by the caller's thread
+    boolean failing; // the last cell throws; set between runs
 
     Bench(int workers) {
       dispatcher = Dispatcher.builder().workers(workers).waitPolicy(WaitPolicy.PARK).build();
@@ -64,6 +68,13 @@ class DispatcherScheduleTest {
         assertFalse(cancelSeen, "caller pulled after the cancel had returned");
         cancelSeen = cancelled;
       }
+      if (failing && cell == CELLS.size() - 1) {
+        throw new ArithmeticException("on purpose");
+      }
+    }
+
+    void forget() {
+      Arrays.fill(visits, 0);
     }
 
     End run(int steps) {
@@ -71,7 +82,7 @@ class DispatcherScheduleTest {
       long complete = loop.tick().step();
       assertEquals(end == End.COMPLETE, complete == steps);
       for (int each : visits) {
-        assertTrue(each == complete || each == complete + 1 && end == End.CANCELLED);
+        assertTrue(each == complete || each == complete + 1 && end != End.COMPLETE);
       }
       return end;
     }
@@ -82,6 +93,11 @@ class DispatcherScheduleTest {
         return End.COMPLETE;
       } catch (CancellationException e) {
         return End.CANCELLED;
+      } catch (KernelException e) {
+        if (e.getCause() instanceof ArithmeticException) {
+          return End.FAILED;
+        }
+        throw e;
       } catch (IllegalStateException e) {
         return End.REFUSED;
       }
@@ -105,7 +121,22 @@ class DispatcherScheduleTest {
         1_000,
         () -> {
           Bench bench = new Bench(2);
-          assertEquals(End.COMPLETE, bench.run(1));
+          assertEquals(End.COMPLETE, bench.run(2));
+          bench.close();
+        });
+  }
+
+  @Test
+  void aFailureEndsTheStepAndNotTheDispatcher() {
+    Schedules.explore(
+        1_000,
+        () -> {
+          Bench bench = new Bench(2);
+          bench.failing = true;
+          assertEquals(End.FAILED, bench.run(2));
+          bench.failing = false;
+          bench.forget();
+          assertEquals(End.COMPLETE, bench.run(2));
           bench.close();
         });
   }
@@ -126,7 +157,7 @@ class DispatcherScheduleTest {
         () -> {
           Bench bench = new Bench(workers);
           Schedules.Fork canceller = Schedules.fork(bench::cancel);
-          assertFalse(bench.run(1) == End.REFUSED);
+          assertFalse(bench.run(2) == End.REFUSED);
           canceller.join();
           bench.close();
         });
@@ -148,7 +179,7 @@ class DispatcherScheduleTest {
         () -> {
           Bench bench = new Bench(workers);
           Schedules.Fork closer = Schedules.fork(bench::close);
-          bench.run(1);
+          bench.run(2);
           closer.join();
           assertEquals(End.REFUSED, bench.end(1));
         });

@@ -19,7 +19,6 @@ import org.openjdk.jcstress.infra.results.IIII_Result;
  */
 @JCStressTest
 @Outcome(id = "-1, -1, 4, 1", expect = ACCEPTABLE, desc = "None: too early.")
-@Outcome(id = "22, -1, 3, 1", expect = ACCEPTABLE, desc = "One at home.")
 @Outcome(id = "-1, 2, 3, 1", expect = ACCEPTABLE, desc = "One elsewhere.")
 @Outcome(id = "22, 2, 2, 1", expect = ACCEPTABLE, desc = "One at home, one elsewhere.")
 @Outcome(expect = FORBIDDEN, desc = "A stale task or payload, or a task lost.")

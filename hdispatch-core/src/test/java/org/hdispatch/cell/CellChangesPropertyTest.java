@@ -21,6 +21,8 @@ import net.jqwik.api.constraints.IntRange;
 import net.jqwik.api.constraints.Size;
 import org.hdispatch.gc.AllocationMeter;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.ValueSource;
 
 class CellChangesPropertyTest {
   private static final class Cell {
@@ -35,7 +37,7 @@ class CellChangesPropertyTest {
   void mapIsWhatANewMapOfTheseKeysWouldBe(
       @ForAll KeyOrder order, @ForAll boolean reuse, @ForAll long seed) {
     Random random = new Random(seed);
-    CellMap<Cell> map = map(order, reuse, randomKeys(random, 20));
+    CellMap<Cell> map = map(order, reuse, randomKeys(random, random.nextInt(20)));
     Map<Long, Cell> model = new HashMap<>();
     for (int n = 0; n < map.size(); n++) {
       model.put(map.keyAt(n), map.cellAt(n));
@@ -49,12 +51,7 @@ class CellChangesPropertyTest {
       for (long key : additions) {
         wanted.add(key); // asked for both ways: added
       }
-      for (long key : removals) {
-        if (model.containsKey(key) && Arrays.stream(additions).anyMatch(a -> a == key)) {
-          wanted.add(key);
-        }
-        changes.remove(key);
-      }
+      Arrays.stream(removals).forEach(changes::remove);
       Arrays.stream(additions).forEach(changes::add);
       long revision = map.revision();
       boolean other = !wanted.equals(new TreeSet<>(model.keySet()));
@@ -97,7 +94,7 @@ class CellChangesPropertyTest {
     return random
         .ints(count, 0, 64)
         .distinct()
-        .mapToLong(n -> CellKey.of(n % 4 - 2, n / 4 % 4, n / 16))
+        .mapToLong(n -> CellKey.of(n % 4 - 2, n / 4 % 4 - 1, n / 16 - 3))
         .toArray();
   }
 
@@ -148,28 +145,81 @@ class CellChangesPropertyTest {
     assertEquals(4, map.size());
   }
 
-  /** Long enough that the marks of removed keys would fill the hash map many times. */
   @Test
+  void staysAsItWasIfACellCannotBeRenewed() {
+    CellMap<Cell> map =
+        CellMap.of(
+            CellGrid.of(3, 1, 1, Ends.OPEN).keys(),
+            KeyOrder.ROW,
+            Cell::new,
+            (cell, key) -> {
+              if (CellKey.i(key) == 5) {
+                throw new ArithmeticException("on purpose");
+              }
+              cell.key = key;
+            });
+    CellChanges changes = new CellChanges();
+    changes.remove(CellKey.of(1, 0, 0));
+    assertTrue(map.apply(changes));
+    changes.add(CellKey.of(5, 0, 0));
+    assertThrows(ArithmeticException.class, () -> map.apply(changes));
+    assertEquals(2, map.size());
+    assertEquals(1, map.revision());
+    changes.add(CellKey.of(4, 0, 0));
+    assertTrue(map.apply(changes));
+    assertEquals(CellKey.of(4, 0, 0), map.get(CellKey.of(4, 0, 0)).key);
+  }
+
+  @Test
+  void fixedCellsAndKeysOfNoCellAreRefused() {
+    CellMap<Cell> map =
+        CellMap.fixed(CellGrid.of(3, 1, 1, Ends.OPEN).keys(), KeyOrder.ROW, Cell::new);
+    CellChanges changes = new CellChanges();
+    changes.add(CellKey.of(4, 0, 0));
+    assertThrows(IllegalStateException.class, () -> map.apply(changes));
+    assertEquals(3, map.size());
+    assertThrows(IllegalArgumentException.class, () -> changes.add(-7));
+    assertThrows(IllegalArgumentException.class, () -> changes.remove(-7));
+    assertThrows(
+        IllegalArgumentException.class,
+        () -> CellMap.of(new long[] {CellKey.NONE}, KeyOrder.MORTON, Cell::new));
+  }
+
+  /** A front of constant or breathing size; the marks of removed keys would fill the map often. */
+  @ParameterizedTest
+  @ValueSource(ints = {0, 40, 90})
   @SuppressWarnings("deprecation") // threadId() needs Java 19
-  void allocatesNothingOnceGrown() {
+  void allocatesNothingOnceGrown(int breath) {
     CellMap<Cell> map = map(KeyOrder.MORTON, true, CellGrid.of(100, 2, 1, Ends.OPEN).keys());
     AllocationMeter meter = new AllocationMeter(Thread.currentThread().getId());
     long[] before = new long[1];
     long[] after = new long[1];
     CellChanges changes = new CellChanges();
+    int head = 100;
+    int tail = 0;
     for (int round = 0; round < 20; round++) {
       meter.read(before);
       for (int step = 0; step < 1_000; step++) {
-        int head = 100 + 1_000 * round + step;
-        for (int j = 0; j < 2; j++) {
-          changes.add(CellKey.of(head, j, 0));
-          changes.remove(CellKey.of(head - 100, j, 0));
+        int length = 100 - breath * (step / 10 % 2);
+        head += step % 3;
+        for (int i = head - step % 3; i < head; i++) {
+          changes.add(CellKey.of(i, 0, 0));
+          changes.add(CellKey.of(i, 1, 0));
+        }
+        for (; tail < head - length; tail++) {
+          changes.remove(CellKey.of(tail, 0, 0));
+          changes.remove(CellKey.of(tail, 1, 0));
+        }
+        for (; tail > head - length; tail--) {
+          changes.add(CellKey.of(tail - 1, 0, 0));
+          changes.add(CellKey.of(tail - 1, 1, 0));
         }
         map.apply(changes);
+        assertTrue(map.contains(CellKey.of(head - 1, 1, 0)));
+        assertEquals(2 * length, map.size());
       }
       meter.read(after);
     }
-    assertEquals(200, map.size());
     assertEquals(0, after[0] - before[0]);
   }
 }

@@ -17,6 +17,7 @@ import java.util.concurrent.ConcurrentHashMap;
 import java.util.concurrent.CountDownLatch;
 import java.util.concurrent.atomic.AtomicReference;
 import java.util.concurrent.locks.LockSupport;
+import org.hdispatch.cell.CellChanges;
 import org.hdispatch.cell.CellGrid;
 import org.hdispatch.cell.CellKey;
 import org.hdispatch.cell.CellMap;
@@ -521,6 +522,28 @@ class DispatcherTest {
               Scheme.of(cells).pass("nest", (cell, scratch, tick) -> inner.run(1)).build());
       KernelException e = assertThrows(KernelException.class, () -> outer.run(1));
       assertEquals(IllegalStateException.class, e.getCause().getClass());
+    }
+  }
+
+  @Test
+  void refusesCellsThatChangeDuringAStep() {
+    CellMap<Counter> cells = counters(4);
+    CellChanges changes = new CellChanges();
+    try (Dispatcher dispatcher = Dispatcher.withWorkers(1)) {
+      TimeLoop loop =
+          dispatcher.loop(
+              Scheme.of(cells)
+                  .pass(
+                      "meddle",
+                      (cell, scratch, tick) -> {
+                        if (CellKey.i(cell.key) == 3) {
+                          changes.add(CellKey.of(9, 0, 0));
+                          cells.apply(changes);
+                        }
+                      })
+                  .build());
+      assertThrows(IllegalStateException.class, () -> loop.run(1));
+      assertEquals(0, loop.tick().step());
     }
   }
 

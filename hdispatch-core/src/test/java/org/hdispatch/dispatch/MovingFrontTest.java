@@ -180,12 +180,12 @@ class MovingFrontTest {
     try (Dispatcher dispatcher = Dispatcher.builder().workers(workers).handout(handout).build()) {
       TimeLoop loop = dispatcher.loop(scheme(sites));
       for (int warmUp = 0; warmUp < 10; warmUp++) {
-        loop.run(1_000);
+        loop.run(500);
       }
       loop.resetStats();
       long revision = sites.revision();
-      loop.run(5_000);
-      assertEquals(revision + 5_000, sites.revision());
+      loop.run(2_000);
+      assertEquals(revision + 2_000, sites.revision());
       loop.stats().workers().forEach(worker -> assertEquals(0, worker.allocatedBytes()));
     }
   }

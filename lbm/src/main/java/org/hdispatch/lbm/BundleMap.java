@@ -40,7 +40,7 @@ final class BundleMap {
 
   private CellMap<NodalBundle> build() {
     long[] keys = Arrays.stream(grid.keys()).filter(key -> positions(key).length > 0).toArray();
-    CellMap<NodalBundle> bundles = CellMap.of(keys, KeyOrder.MORTON, this::bundle);
+    CellMap<NodalBundle> bundles = CellMap.fixed(keys, KeyOrder.MORTON, this::bundle);
     Linker linker = new Linker(bundles);
     for (int n = 0; n < bundles.size(); n++) {
       bundles.cellAt(n).link(linker.plan(bundles.cellAt(n)));
@@ -97,7 +97,7 @@ final class BundleMap {
       this.bundles = bundles;
       long[] keys = new long[bundles.size()];
       Arrays.setAll(keys, bundles::keyAt);
-      nodeAt = CellMap.of(keys, KeyOrder.MORTON, key -> nodeAt(bundles.get(key)));
+      nodeAt = CellMap.fixed(keys, KeyOrder.MORTON, key -> nodeAt(bundles.get(key)));
     }
 
     private int[] nodeAt(NodalBundle bundle) {

@@ -36,7 +36,7 @@ final class SectionFlux {
     CellMap<NodalBundle> bundles = flow.cells();
     long[] keys = new long[bundles.size()];
     Arrays.setAll(keys, bundles::keyAt);
-    parts = CellMap.of(keys, KeyOrder.MORTON, key -> new Part(bundles.get(key)));
+    parts = CellMap.fixed(keys, KeyOrder.MORTON, key -> new Part(bundles.get(key)));
     loop =
         dispatcher.loop(
             Scheme.of(parts)
