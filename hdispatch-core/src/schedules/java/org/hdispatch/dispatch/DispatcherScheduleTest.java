@@ -116,6 +116,29 @@ class DispatcherScheduleTest {
   }
 
   @Test
+  void theCloseOfAnIdleDispatcherEndsItsWorkers() {
+    Schedules.explore(
+        4_000, () -> Dispatcher.builder().workers(3).waitPolicy(WaitPolicy.PARK).build().close());
+  }
+
+  @Test
+  void aCloseEndsTheMakingOfALoop() {
+    Schedules.explore(
+        1_000,
+        () -> {
+          Dispatcher dispatcher =
+              Dispatcher.builder().workers(2).waitPolicy(WaitPolicy.PARK).build();
+          Schedules.Fork closer = Schedules.fork(dispatcher::close);
+          try {
+            dispatcher.loop(Scheme.of(CELLS).pass("none", (cell, scratch, tick) -> {}).build());
+          } catch (IllegalStateException e) {
+            // closed before or meanwhile, which is a CancellationException
+          }
+          closer.join();
+        });
+  }
+
+  @Test
   void aStepVisitsEveryCellOnceAndTheCloseEndsTheWorker() {
     Schedules.explore(
         1_000,

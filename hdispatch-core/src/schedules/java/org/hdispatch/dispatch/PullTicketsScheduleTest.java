@@ -8,7 +8,7 @@ import org.junit.jupiter.api.Test;
 
 /** Every task of a pass is claimed or taken back once, and one thread learns that it is done. */
 class PullTicketsScheduleTest {
-  private static final int SCHEDULES = 5_000;
+  private static final int SCHEDULES = 3_000;
 
   /** What one thread did with the tickets. */
   private static final class Puller {

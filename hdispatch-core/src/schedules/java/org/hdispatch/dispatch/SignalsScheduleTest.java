@@ -6,7 +6,7 @@ import org.junit.jupiter.api.Test;
 
 /** A worker and a caller that park at once never sleep through a pass, its end, or the close. */
 class SignalsScheduleTest {
-  private static final int SCHEDULES = 5_000;
+  private static final int SCHEDULES = 3_000;
 
   /** The words that the threads of a dispatcher share, and as much of the threads as needs be. */
   private static final class Rig {

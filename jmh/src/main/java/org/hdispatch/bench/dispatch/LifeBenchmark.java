@@ -38,7 +38,7 @@ import org.openjdk.jmh.annotations.Warmup;
 @BenchmarkMode(Mode.SingleShotTime)
 @OutputTimeUnit(TimeUnit.MILLISECONDS)
 @Threads(1)
-@Fork(3)
+@Fork(2)
 @Warmup(iterations = 50)
 @Measurement(iterations = 100)
 public class LifeBenchmark {
