@@ -33,15 +33,16 @@ final class Schedules {
   }
 
   /**
-   * Runs a block, threads that it starts included, under at most this many schedules, times {@code
-   * -Dschedules.factor}.
+   * Runs a block, threads that it starts included, under at most this many schedules, or {@code
+   * -Dschedules.percent} of them.
    *
    * @param block everything that it changes, it makes itself; it waits for its threads
    * @throws LincheckAssertionError with the schedule, if the block threw or its threads came to a
    *     deadlock
    */
   static void explore(int atMost, Runnable block) {
-    Lincheck.runConcurrentTest(atMost * Integer.getInteger("schedules.factor", 1), block);
+    Lincheck.runConcurrentTest(
+        (int) Math.ceil(atMost / 100.0 * Integer.getInteger("schedules.percent", 100)), block);
   }
 
   /** Starts a thread; {@link Fork#join} waits for it. */

@@ -13,9 +13,9 @@ import org.openjdk.jmh.annotations.Setup;
  * <p>Score: ns per step; {@code :task} is ns per task; {@code SEQUENTIAL} is the tasks alone.
  *
  * <p>Expected with two workers on two cores at 10 000 cells: pull and static 2 to 4 ns a task;
- * scatter and a parallel stream 0.3 to 3; barrier and shared counter 15 to 30; barrier and queue, fork and
- * join, {@code invokeAll} 50 to 300; virtual threads 400. At 64 cells the fixed cost of a step
- * shows: pull, static and scatter less than 2 us, all others 5 us and more.
+ * scatter and a parallel stream 0.3 to 3; barrier and shared counter 15 to 30; barrier and queue,
+ * fork and join, {@code invokeAll} 50 to 300; virtual threads 400. At 64 cells the fixed cost of a
+ * step shows: pull, static and scatter less than 2 us, all others 5 us and more.
  *
  * <pre>{@code
  * java -jar jmh/target/benchmarks.jar EmptyTaskBenchmark

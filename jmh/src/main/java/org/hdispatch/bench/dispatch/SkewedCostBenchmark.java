@@ -16,8 +16,8 @@ import org.openjdk.jmh.annotations.Setup;
  *
  * <p>Expected with two workers on two cores: pull within 2 % of ideal under every law at 1000
  * cells. Clustered, a static partition has five sixths of the work in its first half and gets no
- * more than 0.6 of two cores; the stream's chunks, cut by number, lose less. Heaviest first is meant
- * for many workers and few cells: two workers gain nothing by it.
+ * more than 0.6 of two cores; the stream's chunks, cut by number, lose less. Heaviest first is
+ * meant for many workers and few cells: two workers gain nothing by it.
  *
  * <pre>{@code
  * java -jar jmh/target/benchmarks.jar SkewedCostBenchmark
