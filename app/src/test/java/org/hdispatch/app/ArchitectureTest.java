@@ -163,18 +163,7 @@ class ArchitectureTest {
         .dependOnClassesThat()
         .belongToAnyOf(Thread.class, ThreadLocal.class, ThreadGroup.class)
         .check(CODE);
-    fields()
-        .that()
-        .areDeclaredInClassesThat(elsewhere)
-        .should()
-        .notHaveModifier(JavaModifier.VOLATILE)
-        .check(CODE);
-    methods()
-        .that()
-        .areDeclaredInClassesThat(elsewhere)
-        .should()
-        .notHaveModifier(JavaModifier.SYNCHRONIZED)
-        .check(CODE);
+    nothingVolatileOrSynchronizedIn(elsewhere);
   }
 
   /** Within dispatch, three classes hold it all; gc reads counters and needs none. */
@@ -199,15 +188,19 @@ class ArchitectureTest {
                     DescribedPredicate.describe(
                         "VarHandle", c -> c.isEquivalentTo(VarHandle.class))))
         .check(CODE);
+    nothingVolatileOrSynchronizedIn(elsewhere);
+  }
+
+  private static void nothingVolatileOrSynchronizedIn(DescribedPredicate<JavaClass> place) {
     fields()
         .that()
-        .areDeclaredInClassesThat(elsewhere)
+        .areDeclaredInClassesThat(place)
         .should()
         .notHaveModifier(JavaModifier.VOLATILE)
         .check(CODE);
     methods()
         .that()
-        .areDeclaredInClassesThat(elsewhere)
+        .areDeclaredInClassesThat(place)
         .should()
         .notHaveModifier(JavaModifier.SYNCHRONIZED)
         .check(CODE);
