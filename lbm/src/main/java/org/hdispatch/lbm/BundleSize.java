@@ -18,7 +18,7 @@ public record BundleSize(int nx, int ny, int nz) {
   /**
    * Checks the extents.
    *
-   * @throws IllegalArgumentException if an extent is less than 1 or the bundle has 2^26 nodes or
+   * @throws IllegalArgumentException if an extent is less than 1 or the bundle has 2^25 nodes or
    *     more
    */
   public BundleSize {
@@ -26,10 +26,21 @@ public record BundleSize(int nx, int ny, int nz) {
       throw new IllegalArgumentException(
           "bundle must be at least 1 node along each axis: nx=" + nx + ", ny=" + ny + ", nz=" + nz);
     }
-    if ((double) nx * ny * nz >= 1 << 26) {
+    if ((double) nx * ny * nz >= 1 << 25) {
       throw new IllegalArgumentException(
-          "bundle must have less than 2^26 nodes: nx=" + nx + ", ny=" + ny + ", nz=" + nz);
+          "bundle must have less than 2^25 nodes: nx=" + nx + ", ny=" + ny + ", nz=" + nz);
     }
+  }
+
+  /** Nodes of a full bundle. */
+  public int nodes() {
+    return nx * ny * nz;
+  }
+
+  /** This size, or the lattice's where that is smaller. */
+  BundleSize within(Lattice lattice) {
+    return new BundleSize(
+        Math.min(nx, lattice.nx()), Math.min(ny, lattice.ny()), Math.min(nz, lattice.nz()));
   }
 
   /** A cube of nodes. */

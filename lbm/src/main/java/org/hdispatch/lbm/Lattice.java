@@ -43,15 +43,4 @@ public record Lattice(int nx, int ny, int nz, Ends x, Ends y, Ends z, NodeMap no
     int zk = z.wrap(k, nz);
     return xi >= 0 && yj >= 0 && zk >= 0 && nodes.fluid(xi, yj, zk);
   }
-
-  /** Whether fluid at (i, j, k) streams to (i + dx, j + dy, k + dz) and back. */
-  boolean open(int i, int j, int k, int dx, int dy, int dz) {
-    if (!fluid(i + dx, j + dy, k + dz)) {
-      return false;
-    }
-    return dx * dx + dy * dy + dz * dz <= 1
-        || dx != 0 && fluid(i + dx, j, k) && open(i + dx, j, k, 0, dy, dz)
-        || dy != 0 && fluid(i, j + dy, k) && open(i, j + dy, k, dx, 0, dz)
-        || dz != 0 && fluid(i, j, k + dz) && open(i, j, k + dz, dx, dy, 0);
-  }
 }

@@ -19,22 +19,33 @@ public final class LbmScheme implements Scheme<NodalBundle, LbmScheme.Scratch> {
   private final Relaxation relaxation;
   private final Equilibrium equilibrium;
   private final BodyForce force;
+  private final Streaming streaming;
+  private final Storage storage;
   private final Collision collision;
+  private final CollisionKernels kernels;
   private final CellMap<NodalBundle> bundles;
   private final long nodes;
+  private final Scratch scratch; // the caller's, between steps
+  private int previous; // copy that holds the populations
+  private boolean streamed; // whether they stand where the next step reads them
 
   private LbmScheme(Builder builder) {
     set = builder.set;
     relaxation = builder.relaxation;
     equilibrium = builder.equilibrium;
     force = builder.force;
+    streaming = builder.streaming;
+    storage = builder.storage;
+    kernels = builder.form.kernels();
     collision = new Collision(set, relaxation, equilibrium, force);
-    bundles = BundleMap.of(builder.lattice, set, builder.size);
+    bundles = BundleMap.of(builder.lattice, set, builder.size, storage, streaming);
     long sum = 0;
     for (int n = 0; n < bundles.size(); n++) {
       sum += bundles.cellAt(n).nodes();
     }
     nodes = sum;
+    scratch = newScratch();
+    streamed = streaming == Streaming.PUSH;
     initialise((x, y, z, state) -> {});
   }
 
@@ -72,27 +83,30 @@ public final class LbmScheme implements Scheme<NodalBundle, LbmScheme.Scratch> {
   }
 
   /**
-   * Puts both copies into equilibrium at the given state, which is the velocity halfway through the
+   * Puts all nodes into equilibrium at the given state, which is the velocity halfway through the
    * force: "true rest" has momentum F/2 after collision.
    */
   public void initialise(InitialState initial) {
     NodeState state = new NodeState();
     for (int n = 0; n < bundles.size(); n++) {
       NodalBundle bundle = bundles.cellAt(n);
-      for (int node = 0; node < bundle.nodes(); node++) {
-        state.density = 1;
-        state.ux = 0;
-        state.uy = 0;
-        state.uz = 0;
-        initial.at(bundle.x(node), bundle.y(node), bundle.z(node), state);
-        for (int i = 0; i < set.size(); i++) {
-          double along = set.cx(i) * force.x() + set.cy(i) * force.y() + set.cz(i) * force.z();
-          double f =
-              equilibrium.deviation(set, i, state.density, state.ux, state.uy, state.uz)
-                  + set.weight(i) * 3 * along / 2;
-          bundle.populations(0)[i * bundle.stride() + node] = f;
-          bundle.populations(1)[i * bundle.stride() + node] = f;
+      scratch.cursor.begin(bundle.plan());
+      while (scratch.cursor.next()) {
+        for (int k = 0; k < scratch.cursor.nodes(); k++) {
+          int node = scratch.cursor.node(k);
+          state.density = 1;
+          state.ux = 0;
+          state.uy = 0;
+          state.uz = 0;
+          initial.at(bundle.x(node), bundle.y(node), bundle.z(node), state);
+          for (int i = 0; i < set.size(); i++) {
+            double along = set.cx(i) * force.x() + set.cy(i) * force.y() + set.cz(i) * force.z();
+            scratch.rows[set.opposite(i)][k] =
+                equilibrium.deviation(set, i, state.density, state.ux, state.uy, state.uz)
+                    + set.weight(i) * 3 * along / 2;
+          }
         }
+        scratch.cursor.write(previous, streamed, scratch.rows);
       }
     }
   }
@@ -104,7 +118,7 @@ public final class LbmScheme implements Scheme<NodalBundle, LbmScheme.Scratch> {
 
   @Override
   public Scratch newScratch() {
-    return new Scratch(set);
+    return new Scratch(kernels.kernel(collision), storage, set.size());
   }
 
   @Override
@@ -112,29 +126,62 @@ public final class LbmScheme implements Scheme<NodalBundle, LbmScheme.Scratch> {
     return List.of(new Pass<>("stream-collide", this::streamCollide));
   }
 
-  /** The rows of one chunk of nodes, populations and moments. */
+  /** What a worker needs to step: a kernel, and the rows of one chunk of nodes. */
   public static final class Scratch {
-    private final double[][] populations;
-    private final MomentRows moments = new MomentRows();
+    private final CollisionKernel kernel;
+    private final ChunkCursor cursor = new ChunkCursor();
+    private final Rows in;
+    private final Rows out;
+    private final double[][] rows;
+    private final int[] start;
 
-    private Scratch(VelocitySet set) {
-      populations = new double[set.size()][NodalBundle.paddedLength(StreamPlan.CHUNK)];
+    private Scratch(CollisionKernel kernel, Storage storage, int velocities) {
+      this.kernel = kernel;
+      in = Rows.of(storage, velocities);
+      out = Rows.of(storage, velocities);
+      rows = new double[velocities][Chunk.PADDED];
+      start = new int[velocities];
     }
   }
 
   private void streamCollide(NodalBundle bundle, Scratch scratch, Tick tick) {
+    boolean readsNeighbours = streaming == Streaming.PULL || inPlace() && !streamed;
+    boolean writesNeighbours = streaming == Streaming.PUSH || inPlace() && !streamed;
+    int current = (previous + 1) % streaming.copies();
     StreamPlan plan = bundle.plan();
-    double[][] rows = scratch.populations;
-    double[] current = bundle.populations(tick.current());
-    int at = 0;
-    for (int first = 0; first < bundle.nodes(); first += StreamPlan.CHUNK) {
-      int n = Math.min(StreamPlan.CHUNK, bundle.nodes() - first);
-      at = plan.gather(tick.previous(), at, n, rows);
-      collision.collide(rows, scratch.moments, n);
-      for (int i = 0; i < rows.length; i++) {
-        System.arraycopy(rows[i], 0, current, i * bundle.stride() + first, n);
-      }
+    if (!readsNeighbours && !writesNeighbours) {
+      scratch.in.pointAtOwn(bundle.populations(previous), 0);
+      scratch.in.collide(scratch.kernel, scratch.in, bundle.nodes());
+      return;
     }
+    for (int segment = 0; segment < plan.segments; segment++) {
+      int at = segment * plan.segmentLength();
+      plan.pointAtSegment(scratch.in, at, previous, readsNeighbours);
+      Rows out = scratch.in;
+      if (!inPlace()) {
+        out = scratch.out;
+        plan.pointAtSegment(out, at, current, writesNeighbours);
+      }
+      scratch.in.collide(scratch.kernel, out, plan.code[at + 1]);
+    }
+    ChunkCursor cursor = scratch.cursor;
+    cursor.beginBatches(plan);
+    while (cursor.next()) {
+      cursor.read(previous, readsNeighbours, scratch.rows);
+      scratch.kernel.collide(
+          scratch.rows, scratch.start, scratch.rows, scratch.start, cursor.nodes());
+      cursor.write(current, writesNeighbours, scratch.rows);
+    }
+  }
+
+  private boolean inPlace() {
+    return streaming == Streaming.IN_PLACE;
+  }
+
+  @Override
+  public void afterStep(Tick tick) {
+    previous = (previous + 1) % streaming.copies();
+    streamed = streaming == Streaming.PUSH || inPlace() && !streamed;
   }
 
   /** Receives density and momentum of a node. */
@@ -152,15 +199,10 @@ public final class LbmScheme implements Scheme<NodalBundle, LbmScheme.Scratch> {
     void visit(int x, int y, int z, double density, double ux, double uy, double uz);
   }
 
-  /**
-   * Visits every fluid node, bundle by bundle in the order of hand-out, between two steps.
-   *
-   * @param tick clock of the loop that runs this scheme
-   */
-  public void forEachNode(Tick tick, NodeVisitor visitor) {
-    Scratch scratch = newScratch();
+  /** Visits every fluid node, bundle by bundle in the order of hand-out, between two steps. */
+  public void forEachNode(NodeVisitor visitor) {
     for (int n = 0; n < bundles.size(); n++) {
-      forEachNode(bundles.cellAt(n), scratch, tick, visitor);
+      forEachNode(bundles.cellAt(n), scratch, visitor);
     }
   }
 
@@ -168,34 +210,45 @@ public final class LbmScheme implements Scheme<NodalBundle, LbmScheme.Scratch> {
    * Visits the fluid nodes of one bundle, between two steps. The velocity of stored populations,
    * which are those after collision, is their momentum less half the force.
    */
-  public void forEachNode(NodalBundle bundle, Scratch scratch, Tick tick, NodeVisitor visitor) {
-    MomentRows m = scratch.moments;
-    double[][] rows = scratch.populations;
-    for (int first = 0; first < bundle.nodes(); first += StreamPlan.CHUNK) {
-      int n = Math.min(StreamPlan.CHUNK, bundle.nodes() - first);
-      for (int i = 0; i < set.size(); i++) {
-        System.arraycopy(
-            bundle.populations(tick.previous()), i * bundle.stride() + first, rows[i], 0, n);
-      }
-      m.sum(set, rows, n);
-      m.addToMomentum(-force.x() / 2, -force.y() / 2, -force.z() / 2, n);
-      for (int k = 0; k < n; k++) {
-        int node = first + k;
-        visitor.visit(
-            bundle.x(node),
-            bundle.y(node),
-            bundle.z(node),
-            1 + m.density[k],
-            m.x[k],
-            m.y[k],
-            m.z[k]);
+  public void forEachNode(NodalBundle bundle, Scratch scratch, NodeVisitor visitor) {
+    ChunkCursor cursor = scratch.cursor;
+    cursor.begin(bundle.plan());
+    while (cursor.next()) {
+      cursor.read(previous, streamed, scratch.rows);
+      for (int k = 0; k < cursor.nodes(); k++) {
+        visit(bundle, cursor.node(k), scratch.rows, k, visitor);
       }
     }
+  }
+
+  /** Row i holds what left the node against velocity i. */
+  private void visit(NodalBundle bundle, int node, double[][] rows, int k, NodeVisitor visitor) {
+    double d = rows[0][k];
+    double jx = -force.x() / 2;
+    double jy = -force.y() / 2;
+    double jz = -force.z() / 2;
+    for (int i = 1; i < rows.length; i += 2) {
+      double a = rows[i + 1][k] - rows[i][k];
+      d += rows[i + 1][k] + rows[i][k];
+      jx += set.cx(i) * a;
+      jy += set.cy(i) * a;
+      jz += set.cz(i) * a;
+    }
+    visitor.visit(bundle.x(node), bundle.y(node), bundle.z(node), 1 + d, jx, jy, jz);
   }
 
   /** Number of fluid nodes. */
   public long nodes() {
     return nodes;
+  }
+
+  /** Bytes held for the nodes: populations, streaming plans, places. */
+  public long bytes() {
+    long sum = 0;
+    for (int n = 0; n < bundles.size(); n++) {
+      sum += bundles.cellAt(n).bytes();
+    }
+    return sum;
   }
 
   /** The lattice's velocities. */
@@ -221,6 +274,9 @@ public final class LbmScheme implements Scheme<NodalBundle, LbmScheme.Scratch> {
     private Equilibrium equilibrium = Equilibrium.QUADRATIC;
     private BodyForce force = BodyForce.NONE;
     private BundleSize size = BundleSize.DEFAULT;
+    private Streaming streaming = Streaming.IN_PLACE;
+    private Storage storage = Storage.DOUBLE;
+    private KernelForm form = KernelForm.fastest();
 
     private Builder(Lattice lattice) {
       this.lattice = Objects.requireNonNull(lattice, "lattice");
@@ -253,6 +309,28 @@ public final class LbmScheme implements Scheme<NodalBundle, LbmScheme.Scratch> {
     /** Sets the size of the bundles. Default: {@link BundleSize#DEFAULT}. */
     public Builder bundleSize(BundleSize bundleSize) {
       size = Objects.requireNonNull(bundleSize, "bundleSize");
+      return this;
+    }
+
+    /** Sets how populations move. Default: in place. */
+    public Builder streaming(Streaming how) {
+      streaming = Objects.requireNonNull(how, "how");
+      return this;
+    }
+
+    /** Sets the precision in which populations are stored. Default: double. */
+    public Builder storage(Storage precision) {
+      storage = Objects.requireNonNull(precision, "precision");
+      return this;
+    }
+
+    /**
+     * Sets the form of the kernel. Default: the fastest that this JVM can run.
+     *
+     * @throws IllegalStateException from {@link #build} if this JVM cannot run it
+     */
+    public Builder kernel(KernelForm kernelForm) {
+      form = Objects.requireNonNull(kernelForm, "kernelForm");
       return this;
     }
 

@@ -1,12 +1,13 @@
 package org.hdispatch.lbm;
 
+import java.util.Arrays;
+
 /**
- * The cell of the lattice Boltzmann method: the fluid nodes of a box of the lattice, with two
- * copies of their populations.
+ * The cell of the lattice Boltzmann method: the fluid nodes of a box of the lattice, with one or
+ * two copies of their populations.
  *
  * <p>Only fluid nodes are stored, x fastest, then y, then z; in a bundle without solid nodes that
- * is the plain order {@code x + nx (y + ny z)}. Shape of a copy: {@code [velocity][node]}, flat,
- * with {@link #stride} numbers from one velocity to the next.
+ * is the plain order {@code x + nx (y + ny z)}.
  */
 public final class NodalBundle {
   private final long key;
@@ -15,38 +16,30 @@ public final class NodalBundle {
   private final int z0;
   private final int nx;
   private final int ny;
-  private final int[] positions;
-  private final double[][] populations;
-  private final int stride;
+  private final NodeRuns runs;
+  private final Populations[] populations;
   private StreamPlan plan;
 
-  /**
-   * Makes a bundle with all populations at rest.
-   *
-   * @param positions {@code x + nx (y + ny z)} of each fluid node within the box, increasing
-   */
-  NodalBundle(long key, int x0, int y0, int z0, int nx, int ny, int[] positions, VelocitySet set) {
+  /** Makes a bundle with all populations at rest. */
+  NodalBundle(
+      long key,
+      int x0,
+      int y0,
+      int z0,
+      BundleSize size,
+      NodeRuns runs,
+      VelocitySet set,
+      Storage storage,
+      Streaming streaming) {
     this.key = key;
     this.x0 = x0;
     this.y0 = y0;
     this.z0 = z0;
-    this.nx = nx;
-    this.ny = ny;
-    this.positions = positions;
-    stride = paddedLength(positions.length);
-    populations = new double[2][Math.multiplyExact(set.size(), stride)];
-  }
-
-  /**
-   * Length of a row, lengthened so that one row does not start at the same place of a 4 KiB page as
-   * the next: rows that do compete for the same cache sets (16³, 32³ and 64³ nodes are the traps).
-   */
-  static int paddedLength(int nodes) {
-    int least = 200; // bytes
-    int page = 4096;
-    int place = nodes * Double.BYTES % page;
-    int missing = place < least ? least - place : place > page - least ? page + least - place : 0;
-    return nodes + (missing + Double.BYTES - 1) / Double.BYTES;
+    nx = size.nx();
+    ny = size.ny();
+    this.runs = runs;
+    populations = new Populations[streaming.copies()];
+    Arrays.setAll(populations, copy -> Populations.of(storage, set, runs.nodes()));
   }
 
   void link(StreamPlan streamPlan) {
@@ -57,6 +50,14 @@ public final class NodalBundle {
     return plan;
   }
 
+  Populations populations(int copy) {
+    return populations[copy];
+  }
+
+  NodeRuns runs() {
+    return runs;
+  }
+
   /** Key of this bundle: its coordinates among the bundles. */
   public long key() {
     return key;
@@ -64,37 +65,35 @@ public final class NodalBundle {
 
   /** Number of fluid nodes. */
   public int nodes() {
-    return positions.length;
+    return runs.nodes();
+  }
+
+  /** Position of a node within the box. */
+  private int position(int node) {
+    return runs.position(node);
   }
 
   /** First coordinate of a node in the lattice. */
   public int x(int node) {
-    return x0 + positions[node] % nx;
+    return x0 + position(node) % nx;
   }
 
   /** Second coordinate of a node in the lattice. */
   public int y(int node) {
-    return y0 + positions[node] / nx % ny;
+    return y0 + position(node) / nx % ny;
   }
 
   /** Third coordinate of a node in the lattice. */
   public int z(int node) {
-    return z0 + positions[node] / (nx * ny);
+    return z0 + position(node) / (nx * ny);
   }
 
-  /**
-   * Populations less their weights, after collision. That of velocity i at a node stands at {@code
-   * i stride + node}.
-   *
-   * @param copy {@link org.hdispatch.dispatch.Tick#previous} or {@code current}
-   * @return the array itself
-   */
-  public double[] populations(int copy) {
-    return populations[copy];
-  }
-
-  /** Numbers from one velocity to the next in {@link #populations}; at least {@link #nodes}. */
-  public int stride() {
-    return stride;
+  /** Bytes held: populations, streaming plan, places of the nodes. */
+  public long bytes() {
+    long bytes = plan.bytes() + runs.bytes();
+    for (Populations copy : populations) {
+      bytes += copy.bytes();
+    }
+    return bytes;
   }
 }

@@ -1,80 +1,99 @@
 package org.hdispatch.lbm;
 
 /**
- * Where the populations of a bundle's nodes come from, chunk by chunk and velocity by velocity.
+ * Which slots of the populations the nodes of a bundle stream from and to: for node x and velocity
+ * i, the slot opposite to i at the neighbour x - c_i; or, where a wall stands in between, its own
+ * slot i (half-way bounce-back). A periodic end leads to a neighbour like any other.
  *
- * <p>A wall is a source like any other: the opposite population of the node itself (half-way
- * bounce-back). So is a periodic end. Streaming is copying, and has no special case.
+ * <p>That slot holds what arrives at x along i, and in the same step receives what leaves x against
+ * i; no other node touches it. So the plan serves all forms of {@link Streaming}.
  *
- * <p>A row of a chunk is described in one of two ways, whichever is shorter to follow:
+ * <p>Nodes are described in one of two ways:
  *
  * <ul>
- *   <li>as <em>runs</em>, stretches of nodes whose populations also lie side by side at their
- *       source: the number of runs, then for each its length, source bundle and first index;
- *   <li>as <em>links</em>: -1, one index per node into the bundle's own populations, then the
- *       number of links that lead to another bundle, and for each its node, source bundle and
- *       index.
+ *   <li>as <em>segments</em>: nodes side by side, whose slots lie side by side too, for every
+ *       velocity. A segment needs one address a velocity, and is collided where it stands (after
+ *       Wittmann, Zeiser, Hager, Wellein, arXiv 1410.0412).
+ *   <li>in <em>batches</em> of at most {@link Chunk#NODES} nodes, gathered into the worker's
+ *       scratch and scattered from there: the nodes at the ends of rows and in narrow pores. A link
+ *       within the bundle is 16 bits; those that lead to another bundle stand in a list.
  * </ul>
  *
- * Runs serve open spaces, links serve narrow pores, where a run is a few nodes long and its end is
- * a branch that no processor predicts.
+ * <p>Layout of {@code code}: for each segment, first node, number of nodes, an address a velocity;
+ * then for each batch, number of nodes, length in {@code code}, number of links, and for each
+ * velocity the base of its links, their number, the number of links that lead elsewhere, and for
+ * each of these its node in the batch and its address. The links of velocity 0 are the nodes.
  */
 final class StreamPlan {
-  /** Most nodes of a chunk: its rows, populations and moments together, stay in the L1 cache. */
-  static final int CHUNK = 128;
+  /** Bits of an address that are the index; those above are the number of the source. */
+  static final int INDEX_BITS = 27;
 
-  /** Mark of a row described as links. */
-  static final int LINKS = -1;
+  private static final int INDEX = (1 << INDEX_BITS) - 1;
 
+  final int velocities;
+  final int segments;
+  final int batches;
+  final int firstBatch; // in code
   private final NodalBundle[] sources; // 0: the bundle itself
-  private final int[] plan;
+  final int[] code;
+  final char[] links;
 
-  StreamPlan(NodalBundle[] sources, int[] plan) {
+  StreamPlan(
+      int velocities,
+      int segments,
+      int batches,
+      int firstBatch,
+      NodalBundle[] sources,
+      int[] code,
+      char[] links) {
+    this.velocities = velocities;
+    this.segments = segments;
+    this.batches = batches;
+    this.firstBatch = firstBatch;
     this.sources = sources;
-    this.plan = plan;
+    this.code = code;
+    this.links = links;
+  }
+
+  static int address(int source, int index) {
+    return source << INDEX_BITS | index;
+  }
+
+  static int index(int address) {
+    return address & INDEX;
+  }
+
+  Populations source(int address, int copy) {
+    return sources[address >>> INDEX_BITS].populations(copy);
+  }
+
+  Populations own(int copy) {
+    return sources[0].populations(copy);
+  }
+
+  /** Bytes of the plan. */
+  long bytes() {
+    return (long) code.length * Integer.BYTES + (long) links.length * Character.BYTES;
   }
 
   /**
-   * Streams into the rows of a chunk.
+   * Points rows at the slots of a segment.
    *
-   * @param copy copy of the populations to read
-   * @param at where the chunk begins in the plan; 0 for the first
-   * @param nodes nodes of the chunk
-   * @param rows one row a velocity
-   * @return where the next chunk begins
+   * @param at where the segment begins in {@code code}
    */
-  int gather(int copy, int at, int nodes, double[][] rows) {
-    int next = at;
-    for (double[] row : rows) {
-      int kind = plan[next++];
-      next = kind == LINKS ? followLinks(copy, next, nodes, row) : copyRuns(copy, next, kind, row);
+  void pointAtSegment(Rows rows, int at, int copy, boolean neighbours) {
+    if (neighbours) {
+      for (int i = 0; i < velocities; i++) {
+        int address = code[at + 2 + i];
+        rows.point(i, source(address, copy), index(address));
+      }
+    } else {
+      rows.pointAtOwn(own(copy), code[at]);
     }
-    return next;
   }
 
-  private int copyRuns(int copy, int at, int runs, double[] row) {
-    int next = at;
-    int to = 0;
-    for (int run = 0; run < runs; run++) {
-      int length = plan[next];
-      System.arraycopy(sources[plan[next + 1]].populations(copy), plan[next + 2], row, to, length);
-      to += length;
-      next += 3;
-    }
-    return next;
-  }
-
-  private int followLinks(int copy, int at, int nodes, double[] row) {
-    double[] own = sources[0].populations(copy);
-    for (int node = 0; node < nodes; node++) {
-      row[node] = own[plan[at + node]];
-    }
-    int next = at + nodes;
-    int outside = plan[next++];
-    for (int link = 0; link < outside; link++) {
-      row[plan[next]] = sources[plan[next + 1]].populations(copy)[plan[next + 2]];
-      next += 3;
-    }
-    return next;
+  /** Length of a segment in {@code code}. */
+  int segmentLength() {
+    return 2 + velocities;
   }
 }

@@ -1,5 +1,7 @@
 package org.hdispatch.lbm;
 
+import java.util.stream.IntStream;
+
 /**
  * A lattice: its velocities c_i and weights w_i, speed of sound squared 1/3 (Qian, d'Humières,
  * Lallemand, Europhysics Letters 17, 1992, 479).
@@ -74,6 +76,16 @@ public enum VelocitySet {
   /** Third component of velocity i: -1, 0 or 1. */
   public int cz(int i) {
     return cz[i];
+  }
+
+  /** Component of velocity i along an axis (0, 1, 2): -1, 0 or 1. */
+  public int component(int i, int axis) {
+    return axis == 0 ? cx[i] : axis == 1 ? cy[i] : cz[i];
+  }
+
+  /** The axes along which velocity i has a component other than 0, increasing. */
+  public int[] axes(int i) {
+    return IntStream.range(0, 3).filter(axis -> component(i, axis) != 0).toArray();
   }
 
   /** Weight of velocity i; all sum to 1. */

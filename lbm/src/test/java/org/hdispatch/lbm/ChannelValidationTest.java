@@ -32,7 +32,6 @@ class ChannelValidationTest {
       double nu = scheme.relaxation().viscosity();
       double top = G * WIDTH * WIDTH / (8 * nu);
       scheme.forEachNode(
-          loop.tick(),
           (x, y, z, density, ux, uy, uz) -> {
             double fromWall = y + 0.5;
             double exact = G / (2 * nu) * fromWall * (WIDTH - fromWall);

@@ -38,7 +38,6 @@ final class Flows {
   static double sum(LbmScheme scheme, TimeLoop loop, ToDoubleFunction<double[]> of) {
     double[] sum = new double[1];
     scheme.forEachNode(
-        loop.tick(),
         (x, y, z, density, ux, uy, uz) ->
             sum[0] += of.applyAsDouble(new double[] {ux, uy, uz, density}));
     return sum[0];

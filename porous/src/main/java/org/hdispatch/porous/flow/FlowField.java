@@ -1,6 +1,5 @@
 package org.hdispatch.porous.flow;
 
-import org.hdispatch.dispatch.Tick;
 import org.hdispatch.lbm.LbmScheme;
 import org.hdispatch.porous.image.Axis;
 
@@ -40,7 +39,7 @@ public final class FlowField {
    * @param force body force g along the flow
    * @param drive pressure drop over the rock per length and density, G
    */
-  static FlowField of(FlowDomain domain, LbmScheme flow, Tick clock, double force, double drive) {
+  static FlowField of(FlowDomain domain, LbmScheme flow, double force, double drive) {
     FlowField field = new FlowField(domain);
     double scale = flow.relaxation().viscosity() / drive;
     double fall = force / drive;
@@ -48,7 +47,6 @@ public final class FlowField {
     int y0 = domain.offset(Axis.Y);
     int z0 = domain.offset(Axis.Z);
     flow.forEachNode(
-        clock,
         (x, y, z, density, ux, uy, uz) -> {
           int along = domain.axis().length(x, y, z) - domain.layers();
           if (along >= 0 && along < domain.length()) {

@@ -116,7 +116,7 @@ public final class LbmFlow {
               .force(along(options.axis(), force))
               .build();
       loop = dispatcher.loop(scheme);
-      flux = new SectionFlux(dispatcher, domain, scheme, loop.tick());
+      flux = new SectionFlux(dispatcher, domain, scheme);
     }
 
     private static BodyForce along(Axis axis, double force) {
@@ -154,7 +154,7 @@ public final class LbmFlow {
           flux.highestSpeed() / Math.sqrt(VelocitySet.SOUND_SPEED_SQUARED),
           new SteadyFlow.Chosen(domain.hydraulicDiameter(), relaxationTime, domain.layers()),
           new SteadyFlow.Work(scheme.nodes(), steps(), seconds(), warmUpSteps, loop.stats()),
-          Optional.of(FlowField.of(domain, scheme, loop.tick(), force, drive())));
+          Optional.of(FlowField.of(domain, scheme, force, drive())));
     }
 
     /** Pressure drop over the rock per length and density, nu q / k. */

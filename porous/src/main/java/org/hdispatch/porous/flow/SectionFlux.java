@@ -5,7 +5,6 @@ import org.hdispatch.cell.CellMap;
 import org.hdispatch.cell.KeyOrder;
 import org.hdispatch.dispatch.Dispatcher;
 import org.hdispatch.dispatch.Scheme;
-import org.hdispatch.dispatch.Tick;
 import org.hdispatch.dispatch.TimeLoop;
 import org.hdispatch.lbm.LbmScheme;
 import org.hdispatch.lbm.NodalBundle;
@@ -24,12 +23,7 @@ final class SectionFlux {
   private final double[] flux;
   private double highestSpeed;
 
-  /**
-   * Makes a meter.
-   *
-   * @param clock clock of the loop that runs the flow
-   */
-  SectionFlux(Dispatcher dispatcher, FlowDomain domain, LbmScheme flow, Tick clock) {
+  SectionFlux(Dispatcher dispatcher, FlowDomain domain, LbmScheme flow) {
     this.domain = domain;
     this.flow = flow;
     flux = new double[domain.length()];
@@ -41,7 +35,7 @@ final class SectionFlux {
         dispatcher.loop(
             Scheme.of(parts)
                 .scratch(flow::newScratch)
-                .pass("section flux", (part, scratch, tick) -> part.sum(clock, scratch))
+                .pass("section flux", (part, scratch, tick) -> part.sum(scratch))
                 .build());
   }
 
@@ -117,10 +111,10 @@ final class SectionFlux {
       return domain.axis().length(x, y, z) - domain.layers();
     }
 
-    void sum(Tick clock, LbmScheme.Scratch scratch) {
+    void sum(LbmScheme.Scratch scratch) {
       Arrays.fill(sums, 0);
       highestSquare = 0;
-      flow.forEachNode(bundle, scratch, clock, add);
+      flow.forEachNode(bundle, scratch, add);
     }
 
     private void add(int x, int y, int z, double density, double ux, double uy, double uz) {

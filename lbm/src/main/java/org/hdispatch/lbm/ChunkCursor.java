@@ -1,0 +1,154 @@
+package org.hdispatch.lbm;
+
+/**
+ * Walks through the nodes of a {@link StreamPlan}, chunk by chunk, and moves their populations
+ * between the bundles and a worker's scratch. Part of that scratch.
+ */
+final class ChunkCursor {
+  private StreamPlan plan;
+  private int at; // of the segment or batch, in the plan
+  private int link; // first link of the batch
+  private int segmentsLeft; // this one included
+  private int batchesLeft;
+  private int offset; // of the chunk in its segment
+  private int nodes;
+
+  /** Stands before the first chunk. */
+  void begin(StreamPlan streamPlan) {
+    plan = streamPlan;
+    at = 0;
+    segmentsLeft = plan.segments;
+    batchesLeft = plan.batches + 1;
+    link = 0;
+    offset = 0;
+    nodes = 0;
+  }
+
+  /** Stands before the first batch. */
+  void beginBatches(StreamPlan streamPlan) {
+    begin(streamPlan);
+    segmentsLeft = 0;
+    at = plan.firstBatch;
+  }
+
+  /** Moves to the next chunk, if there is one. */
+  boolean next() {
+    if (segmentsLeft > 0) {
+      offset += nodes;
+      int left = plan.code[at + 1] - offset;
+      if (left > 0) {
+        nodes = Math.min(Chunk.NODES, left);
+        return true;
+      }
+      at += plan.segmentLength();
+      offset = 0;
+      nodes = 0;
+      segmentsLeft--;
+      return next();
+    }
+    if (nodes > 0) {
+      link += plan.code[at + 2];
+      at += plan.code[at + 1];
+    }
+    batchesLeft--;
+    if (batchesLeft <= 0) {
+      return false;
+    }
+    nodes = plan.code[at];
+    return true;
+  }
+
+  /** Nodes of the chunk. */
+  int nodes() {
+    return nodes;
+  }
+
+  /** Number of a node of the chunk in its bundle. */
+  int node(int k) {
+    return segmentsLeft > 0 ? plan.code[at] + offset + k : plan.code[at + 3] + plan.links[link + k];
+  }
+
+  /** Reads the chunk's populations into rows, from the neighbours' slots or from their own. */
+  void read(int copy, boolean neighbours, double[][] rows) {
+    if (segmentsLeft > 0) {
+      for (int i = 0; i < rows.length; i++) {
+        int address = neighbours ? plan.code[at + 2 + i] : 0;
+        Populations from = plan.source(address, copy);
+        int index = neighbours ? StreamPlan.index(address) : from.index(i, plan.code[at]);
+        from.read(Populations.pair(i), index + offset, rows[i], nodes);
+      }
+    } else if (neighbours) {
+      gather(copy, rows);
+    } else {
+      Populations own = plan.own(copy);
+      int base = plan.code[at + 3];
+      for (int i = 0; i < rows.length; i++) {
+        int pair = Populations.pair(i);
+        own.gather(pair, own.index(i, base), plan.links, link, rows[i], nodes);
+      }
+    }
+  }
+
+  /** Writes rows into the chunk's populations, into the neighbours' slots or into their own. */
+  void write(int copy, boolean neighbours, double[][] rows) {
+    if (segmentsLeft > 0) {
+      for (int i = 0; i < rows.length; i++) {
+        int address = neighbours ? plan.code[at + 2 + i] : 0;
+        Populations to = plan.source(address, copy);
+        int index = neighbours ? StreamPlan.index(address) : to.index(i, plan.code[at]);
+        to.write(Populations.pair(i), index + offset, rows[i], nodes);
+      }
+    } else if (neighbours) {
+      scatter(copy, rows);
+    } else {
+      Populations own = plan.own(copy);
+      int base = plan.code[at + 3];
+      for (int i = 0; i < rows.length; i++) {
+        int pair = Populations.pair(i);
+        own.scatter(pair, own.index(i, base), plan.links, link, rows[i], nodes);
+      }
+    }
+  }
+
+  private void gather(int copy, double[][] rows) {
+    int[] code = plan.code;
+    Populations own = plan.own(copy);
+    int next = at + 3;
+    int from = link;
+    for (int i = 0; i < rows.length; i++) {
+      double[] row = rows[i];
+      int pair = Populations.pair(i);
+      int within = code[next + 1];
+      int elsewhere = code[next + 2];
+      own.gather(pair, code[next], plan.links, from, row, within);
+      from += within;
+      next += 3;
+      for (int e = 0; e < elsewhere; e++) {
+        int address = code[next + 1];
+        row[code[next]] = plan.source(address, copy).at(pair, StreamPlan.index(address));
+        next += 2;
+      }
+    }
+  }
+
+  private void scatter(int copy, double[][] rows) {
+    int[] code = plan.code;
+    Populations own = plan.own(copy);
+    int next = at + 3;
+    int from = link;
+    for (int i = 0; i < rows.length; i++) {
+      double[] row = rows[i];
+      int pair = Populations.pair(i);
+      int within = code[next + 1];
+      int elsewhere = code[next + 2];
+      own.scatter(pair, code[next], plan.links, from, row, within);
+      from += within;
+      next += 3;
+      for (int e = 0; e < elsewhere; e++) {
+        int address = code[next + 1];
+        plan.source(address, copy).put(pair, StreamPlan.index(address), row[code[next]]);
+        next += 2;
+      }
+    }
+  }
+}

@@ -1,0 +1,63 @@
+package org.hdispatch.lbm;
+
+import java.util.Objects;
+import java.util.Optional;
+import java.util.ServiceLoader;
+
+/** The forms in which a collision is computed. All give the same bits; they differ in speed. */
+public enum KernelForm {
+  /** Node by node, as the formulas stand: the form that the others are compared with. */
+  REFERENCE,
+  /** Small loops over rows of nodes, which the JIT compiler turns into vector instructions. */
+  LOOPS,
+  /**
+   * Vector instructions asked for by name: needs the artifact {@code hdispatch-lbm-vector} and
+   * {@code --add-modules jdk.incubator.vector}.
+   */
+  VECTOR;
+
+  /** The fastest form that this JVM can run. */
+  public static KernelForm fastest() {
+    return provider().isPresent() ? VECTOR : LOOPS;
+  }
+
+  private static Optional<CollisionKernels> provider() {
+    return ServiceLoader.load(CollisionKernels.class, CollisionKernels.class.getClassLoader())
+        .stream()
+        .map(ServiceLoader.Provider::get)
+        .filter(CollisionKernels::available)
+        .findFirst();
+  }
+
+  /**
+   * Makes kernels of this form.
+   *
+   * @throws IllegalStateException if this JVM cannot run it
+   */
+  CollisionKernels kernels() {
+    if (this == VECTOR) {
+      return provider()
+          .orElseThrow(
+              () ->
+                  new IllegalStateException(
+                      "vector kernels need hdispatch-lbm-vector and --add-modules"
+                          + " jdk.incubator.vector: form="
+                          + this));
+    }
+    return new BuiltIn(this);
+  }
+
+  /** The forms that any JVM runs. */
+  private record BuiltIn(KernelForm form) implements CollisionKernels {
+    @Override
+    public boolean available() {
+      return true;
+    }
+
+    @Override
+    public CollisionKernel kernel(Collision collision) {
+      Objects.requireNonNull(collision, "collision");
+      return form == REFERENCE ? new NodeKernel(collision) : new LoopKernel(collision);
+    }
+  }
+}

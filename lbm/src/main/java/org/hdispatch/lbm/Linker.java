@@ -1,0 +1,189 @@
+package org.hdispatch.lbm;
+
+import java.util.Arrays;
+import org.hdispatch.cell.CellMap;
+
+/** Finds the slots that the nodes of a bundle stream from and to, and writes them as a plan. */
+final class Linker {
+  /** Nodes from which on a segment is collided where it stands. */
+  private static final int LEAST_SEGMENT = Integer.getInteger("seg", 8);
+
+  private final VelocitySet set;
+  private final BundleSize size;
+  private final Surroundings surroundings;
+  private final int[][] address; // per velocity and node
+  private int[] code = new int[1024];
+  private int codeLength;
+  private char[] links = new char[1024];
+  private int linkCount;
+
+  Linker(Lattice lattice, VelocitySet set, BundleSize size, CellMap<NodalBundle> bundles) {
+    this.set = set;
+    this.size = size;
+    surroundings = new Surroundings(lattice, size, bundles);
+    address = new int[set.size()][size.nodes()];
+  }
+
+  StreamPlan plan(NodalBundle bundle) {
+    codeLength = 0;
+    linkCount = 0;
+    surroundings.look(bundle);
+    findAddresses(bundle);
+    int segments = writeSegments(bundle.nodes());
+    int firstBatch = codeLength;
+    int batches = writeBatches(bundle.nodes());
+    return new StreamPlan(
+        set.size(),
+        segments,
+        batches,
+        firstBatch,
+        surroundings.sources(),
+        Arrays.copyOf(code, codeLength),
+        Arrays.copyOf(links, linkCount));
+  }
+
+  private void findAddresses(NodalBundle bundle) {
+    Populations own = bundle.populations(0);
+    for (int node = 0; node < bundle.nodes(); node++) {
+      int position = bundle.runs().position(node);
+      int x = position % size.nx();
+      int y = position / size.nx() % size.ny();
+      int z = position / (size.nx() * size.ny());
+      int here = surroundings.place(x, y, z);
+      address[0][node] = node;
+      for (int i = 1; i < address.length; i++) {
+        int back = set.opposite(i);
+        if (surroundings.open(here, set.cx(back), set.cy(back), set.cz(back))) {
+          int there = here + surroundings.distance(set.cx(back), set.cy(back), set.cz(back));
+          address[i][node] = surroundings.slot(there, back);
+        } else {
+          address[i][node] = own.index(i, node);
+        }
+      }
+    }
+  }
+
+  /** End of the segment that begins at a node. */
+  private int segmentEnd(int first, int nodes) {
+    int end = first + 1;
+    while (end < nodes && continues(end)) {
+      end++;
+    }
+    return end;
+  }
+
+  private boolean continues(int node) {
+    for (int[] row : address) {
+      if (row[node] != row[node - 1] + 1) {
+        return false;
+      }
+    }
+    return true;
+  }
+
+  private int writeSegments(int nodes) {
+    int segments = 0;
+    int end;
+    for (int first = 0; first < nodes; first = end) {
+      end = segmentEnd(first, nodes);
+      if (end - first >= LEAST_SEGMENT) {
+        append(first);
+        append(end - first);
+        for (int[] row : address) {
+          append(row[first]);
+        }
+        segments++;
+      }
+    }
+    return segments;
+  }
+
+  private int writeBatches(int nodes) {
+    int[] batch = new int[Chunk.NODES];
+    int batches = 0;
+    int count = 0;
+    int end;
+    for (int first = 0; first < nodes; first = end) {
+      end = segmentEnd(first, nodes);
+      for (int node = first; node < end && end - first < LEAST_SEGMENT; node++) {
+        if (count == batch.length || count > 0 && node - batch[0] > Character.MAX_VALUE) {
+          writeBatch(batch, count);
+          batches++;
+          count = 0;
+        }
+        batch[count++] = node;
+      }
+    }
+    if (count > 0) {
+      writeBatch(batch, count);
+      batches++;
+    }
+    return batches;
+  }
+
+  private void writeBatch(int[] batch, int count) {
+    int start = codeLength;
+    int firstLink = linkCount;
+    append(count);
+    append(0);
+    append(0);
+    for (int[] row : address) {
+      writeLinks(row, batch, count);
+    }
+    code[start + 1] = codeLength - start;
+    code[start + 2] = linkCount - firstLink;
+  }
+
+  /**
+   * Writes the links of one velocity. A link that leads elsewhere is listed; among the others its
+   * place is taken by the next of them: scattering writes there too early, and again when its turn
+   * comes.
+   */
+  private void writeLinks(int[] row, int[] batch, int count) {
+    int base = Integer.MAX_VALUE;
+    for (int k = 0; k < count; k++) {
+      if (row[batch[k]] >= 0 && row[batch[k]] >>> StreamPlan.INDEX_BITS == 0) {
+        base = Math.min(base, row[batch[k]]);
+      }
+    }
+    int within = 0;
+    for (int k = 0; k < count; k++) {
+      within = isWithin(row[batch[k]], base) ? k + 1 : within;
+    }
+    append(within == 0 ? 0 : base);
+    append(within);
+    int elsewhereAt = codeLength;
+    append(0);
+    for (int k = 0; k < count; k++) {
+      if (!isWithin(row[batch[k]], base)) {
+        append(k);
+        append(row[batch[k]]);
+        code[elsewhereAt]++;
+      }
+    }
+    reserveLinks(within);
+    int next = 0;
+    for (int k = within - 1; k >= 0; k--) {
+      next = isWithin(row[batch[k]], base) ? row[batch[k]] - base : next;
+      links[linkCount + k] = (char) next;
+    }
+    linkCount += within;
+  }
+
+  private static boolean isWithin(int address, int base) {
+    return address >>> StreamPlan.INDEX_BITS == 0 && address - base <= Character.MAX_VALUE;
+  }
+
+  private void append(int number) {
+    if (codeLength == code.length) {
+      code = Arrays.copyOf(code, 2 * codeLength);
+    }
+    code[codeLength++] = number;
+  }
+
+  private void reserveLinks(int more) {
+    if (linkCount + more > links.length) {
+      links = Arrays.copyOf(links, Math.max(2 * links.length, linkCount + more));
+    }
+  }
+}

@@ -1,0 +1,362 @@
+package org.hdispatch.lbm;
+
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.List;
+
+/**
+ * {@link Collision} as a list of small loops over rows of nodes, made from the lattice's table.
+ *
+ * <p>Nodes are worked on in chunks, copied into rows of the kernel's own that stay in the L1 cache.
+ * Each operation is a loop over at most five rows, short enough for C2 to unroll it and to turn it
+ * into vector instructions; the obvious loop over all populations at once is not. The operations
+ * are called through one interface with many implementations, so that they are never inlined into
+ * one another: inlined, JDK 17 often leaves them scalar.
+ */
+final class LoopKernel implements CollisionKernel {
+  private final int velocities;
+  private final double[][] rows; // populations, then the rows below
+  private final int density;
+  private final int momentum; // three rows
+  private final int volume;
+  private final int base;
+  private final int along;
+  private final int form;
+  private final double[] halfForce;
+  private final RowOperation[] operations;
+
+  LoopKernel(Collision collision) {
+    VelocitySet set = collision.set();
+    velocities = set.size();
+    density = velocities;
+    momentum = velocities + 1;
+    volume = velocities + 4;
+    base = velocities + 5;
+    along = velocities + 6;
+    form = velocities + 7;
+    rows = new double[velocities + 8][Chunk.PADDED];
+    BodyForce force = collision.force();
+    halfForce = new double[] {force.x() / 2, force.y() / 2, force.z() / 2};
+    operations = operations(set, collision).toArray(RowOperation[]::new);
+  }
+
+  private List<RowOperation> operations(VelocitySet set, Collision collision) {
+    CollisionCoefficients c = collision.coefficients();
+    boolean quadratic = collision.equilibrium() == Equilibrium.QUADRATIC;
+    List<RowOperation> list = new ArrayList<>();
+    for (int i = 1; i < velocities; i += 2) {
+      list.add(moments(set, i));
+    }
+    if (quadratic) {
+      list.add(new Volume(density, volume));
+      list.add(new Squares(momentum, c, base));
+      list.add(new Base(density, volume, c.omegaPlus, base));
+    }
+    list.add(new Rest(quadratic ? base : density, c.omegaPlus, c.even[0]));
+    for (int i = 1; i < velocities; i += 2) {
+      int p = (i + 1) / 2;
+      int projected = projectedRow(set, i);
+      if (projected == along) {
+        list.add(project(set, i));
+      }
+      if (quadratic) {
+        list.add(new Form(projected, volume, base, c.curvature, c.along[p], form));
+      }
+      int even = quadratic ? form : density;
+      list.add(
+          new Pair(i, even, projected, c.halfPlus, c.halfMinus, c.even[p], c.odd[p], c.push[p]));
+    }
+    return list;
+  }
+
+  /** Row of c_i . j: one of the momentum where c_i points along an axis. */
+  private int projectedRow(VelocitySet set, int i) {
+    boolean positiveAxis = set.axes(i).length == 1 && set.component(i, set.axes(i)[0]) > 0;
+    return positiveAxis ? momentum + set.axes(i)[0] : along;
+  }
+
+  private RowOperation moments(VelocitySet set, int i) {
+    int[] axes = set.axes(i);
+    double a = set.component(i, axes[0]);
+    if (axes.length == 1) {
+      return new Moments1(i, density, momentum + axes[0], a);
+    }
+    double b = set.component(i, axes[1]);
+    if (axes.length == 2) {
+      return new Moments2(i, density, momentum + axes[0], momentum + axes[1], a, b);
+    }
+    return new Moments3(i, density, momentum, a, b, set.component(i, axes[2]));
+  }
+
+  private RowOperation project(VelocitySet set, int i) {
+    int[] axes = set.axes(i);
+    double a = set.component(i, axes[0]);
+    if (axes.length == 1) {
+      return new Project1(momentum + axes[0], a, along);
+    }
+    double b = set.component(i, axes[1]);
+    if (axes.length == 2) {
+      return new Project2(momentum + axes[0], momentum + axes[1], a, b, along);
+    }
+    return new Project3(momentum, a, b, set.component(i, axes[2]), along);
+  }
+
+  @Override
+  public void collide(double[][] in, int[] inAt, double[][] out, int[] outAt, int n) {
+    for (int first = 0; first < n; first += Chunk.NODES) {
+      int nodes = Math.min(Chunk.NODES, n - first);
+      for (int i = 0; i < velocities; i++) {
+        System.arraycopy(in[i], inAt[i] + first, rows[i], 0, nodes);
+      }
+      collide(nodes);
+      for (int i = 0; i < velocities; i++) {
+        System.arraycopy(rows[i], 0, out[i], outAt[i] + first, nodes);
+      }
+    }
+  }
+
+  @Override
+  public void collide(float[][] in, int[] inAt, float[][] out, int[] outAt, int n) {
+    for (int first = 0; first < n; first += Chunk.NODES) {
+      int nodes = Math.min(Chunk.NODES, n - first);
+      for (int i = 0; i < velocities; i++) {
+        Chunk.widen(in[i], inAt[i] + first, rows[i], nodes);
+      }
+      collide(nodes);
+      for (int i = 0; i < velocities; i++) {
+        Chunk.narrow(rows[i], out[i], outAt[i] + first, nodes);
+      }
+    }
+  }
+
+  private void collide(int n) {
+    System.arraycopy(rows[0], 0, rows[density], 0, n);
+    for (int axis = 0; axis < 3; axis++) {
+      Arrays.fill(rows[momentum + axis], 0, n, halfForce[axis]);
+    }
+    for (RowOperation operation : operations) {
+      operation.apply(rows, n);
+    }
+  }
+
+  /** A loop over nodes. */
+  private interface RowOperation {
+    void apply(double[][] rows, int n);
+  }
+
+  /** d += f + f', j += c (f - f'), c along one axis. */
+  private record Moments1(int i, int density, int x, double cx) implements RowOperation {
+    @Override
+    public void apply(double[][] rows, int n) {
+      double[] f = rows[i];
+      double[] g = rows[i + 1];
+      double[] d = rows[density];
+      double[] jx = rows[x];
+      double a = cx;
+      for (int k = 0; k < n; k++) {
+        d[k] += f[k] + g[k];
+        jx[k] = Math.fma(a, f[k] - g[k], jx[k]);
+      }
+    }
+  }
+
+  /** d += f + f', j += c (f - f'), c with two components. */
+  private record Moments2(int i, int density, int x, int y, double cx, double cy)
+      implements RowOperation {
+    @Override
+    public void apply(double[][] rows, int n) {
+      double[] f = rows[i];
+      double[] g = rows[i + 1];
+      double[] d = rows[density];
+      double[] jx = rows[x];
+      double[] jy = rows[y];
+      double a = cx;
+      double b = cy;
+      for (int k = 0; k < n; k++) {
+        d[k] += f[k] + g[k];
+        jx[k] = Math.fma(a, f[k] - g[k], jx[k]);
+        jy[k] = Math.fma(b, f[k] - g[k], jy[k]);
+      }
+    }
+  }
+
+  /** d += f + f', j += c (f - f'), c with three components. */
+  private record Moments3(int i, int density, int momentum, double cx, double cy, double cz)
+      implements RowOperation {
+    @Override
+    public void apply(double[][] rows, int n) {
+      double[] f = rows[i];
+      double[] g = rows[i + 1];
+      double[] d = rows[density];
+      double[] jx = rows[momentum];
+      double[] jy = rows[momentum + 1];
+      double[] jz = rows[momentum + 2];
+      double a = cx;
+      double b = cy;
+      double c = cz;
+      for (int k = 0; k < n; k++) {
+        d[k] += f[k] + g[k];
+        jx[k] = Math.fma(a, f[k] - g[k], jx[k]);
+        jy[k] = Math.fma(b, f[k] - g[k], jy[k]);
+        jz[k] = Math.fma(c, f[k] - g[k], jz[k]);
+      }
+    }
+  }
+
+  /** v = 1/(1 + d). */
+  private record Volume(int density, int volume) implements RowOperation {
+    @Override
+    public void apply(double[][] rows, int n) {
+      double[] d = rows[density];
+      double[] v = rows[volume];
+      for (int k = 0; k < n; k++) {
+        v[k] = 1 / (1 + d[k]);
+      }
+    }
+  }
+
+  /** squares j.j + work j.F. */
+  private record Squares(int momentum, CollisionCoefficients c, int to) implements RowOperation {
+    @Override
+    public void apply(double[][] rows, int n) {
+      double[] jx = rows[momentum];
+      double[] jy = rows[momentum + 1];
+      double[] jz = rows[momentum + 2];
+      double[] row = rows[to];
+      double fx = c.forceX;
+      double fy = c.forceY;
+      double fz = c.forceZ;
+      double squares = c.squares;
+      double work = c.work;
+      for (int k = 0; k < n; k++) {
+        double jj = Math.fma(jx[k], jx[k], Math.fma(jy[k], jy[k], jz[k] * jz[k]));
+        double jf = Math.fma(fx, jx[k], Math.fma(fy, jy[k], fz * jz[k]));
+        row[k] = Math.fma(squares, jj, work * jf);
+      }
+    }
+  }
+
+  /** base = omega+ d + v base. */
+  private record Base(int density, int volume, double omegaPlus, int base) implements RowOperation {
+    @Override
+    public void apply(double[][] rows, int n) {
+      double[] d = rows[density];
+      double[] v = rows[volume];
+      double[] row = rows[base];
+      double plus = omegaPlus;
+      for (int k = 0; k < n; k++) {
+        row[k] = Math.fma(plus, d[k], v[k] * row[k]);
+      }
+    }
+  }
+
+  /** The population at rest. */
+  private record Rest(int form, double omegaPlus, double even) implements RowOperation {
+    @Override
+    public void apply(double[][] rows, int n) {
+      double[] f = rows[0];
+      double[] row = rows[form];
+      double plus = omegaPlus;
+      double e = even;
+      for (int k = 0; k < n; k++) {
+        f[k] += Math.fma(-plus, f[k], e * row[k]);
+      }
+    }
+  }
+
+  /** c.j with one component. */
+  private record Project1(int x, double cx, int to) implements RowOperation {
+    @Override
+    public void apply(double[][] rows, int n) {
+      double[] jx = rows[x];
+      double[] row = rows[to];
+      double a = cx;
+      for (int k = 0; k < n; k++) {
+        row[k] = a * jx[k];
+      }
+    }
+  }
+
+  /** c.j with two components. */
+  private record Project2(int x, int y, double cx, double cy, int to) implements RowOperation {
+    @Override
+    public void apply(double[][] rows, int n) {
+      double[] jx = rows[x];
+      double[] jy = rows[y];
+      double[] row = rows[to];
+      double a = cx;
+      double b = cy;
+      for (int k = 0; k < n; k++) {
+        row[k] = Math.fma(b, jy[k], a * jx[k]);
+      }
+    }
+  }
+
+  /** c.j with three components. */
+  private record Project3(int momentum, double cx, double cy, double cz, int to)
+      implements RowOperation {
+    @Override
+    public void apply(double[][] rows, int n) {
+      double[] jx = rows[momentum];
+      double[] jy = rows[momentum + 1];
+      double[] jz = rows[momentum + 2];
+      double[] row = rows[to];
+      double a = cx;
+      double b = cy;
+      double c = cz;
+      for (int k = 0; k < n; k++) {
+        row[k] = Math.fma(c, jz[k], Math.fma(b, jy[k], a * jx[k]));
+      }
+    }
+  }
+
+  /** v c.j (curvature c.j + along) + base. */
+  private record Form(int projected, int volume, int base, double curvature, double along, int to)
+      implements RowOperation {
+    @Override
+    public void apply(double[][] rows, int n) {
+      double[] cj = rows[projected];
+      double[] v = rows[volume];
+      double[] b = rows[base];
+      double[] row = rows[to];
+      double q = curvature;
+      double l = along;
+      for (int k = 0; k < n; k++) {
+        row[k] = Math.fma(v[k] * cj[k], Math.fma(q, cj[k], l), b[k]);
+      }
+    }
+  }
+
+  /** Relaxes a pair and turns it round. */
+  private record Pair(
+      int i,
+      int form,
+      int projected,
+      double halfPlus,
+      double halfMinus,
+      double even,
+      double odd,
+      double push)
+      implements RowOperation {
+    @Override
+    public void apply(double[][] rows, int n) {
+      double[] f = rows[i];
+      double[] g = rows[i + 1];
+      double[] row = rows[form];
+      double[] cj = rows[projected];
+      double hp = halfPlus;
+      double hm = halfMinus;
+      double e = even;
+      double o = odd;
+      double p = push;
+      for (int k = 0; k < n; k++) {
+        double forth = f[k];
+        double back = g[k];
+        double s = Math.fma(-hp, forth + back, e * row[k]);
+        double a = Math.fma(-hm, forth - back, Math.fma(o, cj[k], p));
+        f[k] = back + (s - a);
+        g[k] = forth + (s + a);
+      }
+    }
+  }
+}

@@ -1,0 +1,23 @@
+package org.hdispatch.lbm;
+
+/** The precision in which populations are stored; a collision is always computed in double. */
+public enum Storage {
+  /** 8 bytes a population. */
+  DOUBLE(Double.BYTES),
+  /**
+   * 4 bytes a population. Stored as deviations from their weights, populations lose little: 24 bits
+   * of a small number.
+   */
+  SINGLE(Float.BYTES);
+
+  private final int bytes;
+
+  Storage(int bytes) {
+    this.bytes = bytes;
+  }
+
+  /** Bytes of a population. */
+  public int bytes() {
+    return bytes;
+  }
+}
