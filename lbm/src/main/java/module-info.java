@@ -3,4 +3,6 @@ module org.hdispatch.lbm {
   requires transitive org.hdispatch.core;
 
   exports org.hdispatch.lbm;
+
+  uses org.hdispatch.lbm.CollisionKernels;
 }

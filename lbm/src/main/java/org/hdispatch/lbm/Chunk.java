@@ -11,16 +11,16 @@ final class Chunk {
   private Chunk() {}
 
   /** Copies n numbers from single to double precision. */
-  static void widen(float[] from, int at, double[] to, int n) {
+  static void widen(float[] from, int fromAt, double[] to, int toAt, int n) {
     for (int k = 0; k < n; k++) {
-      to[k] = from[at + k];
+      to[toAt + k] = from[fromAt + k];
     }
   }
 
   /** Copies n numbers from double to single precision. */
-  static void narrow(double[] from, float[] to, int at, int n) {
+  static void narrow(double[] from, int fromAt, float[] to, int toAt, int n) {
     for (int k = 0; k < n; k++) {
-      to[at + k] = (float) from[k];
+      to[toAt + k] = (float) from[fromAt + k];
     }
   }
 }

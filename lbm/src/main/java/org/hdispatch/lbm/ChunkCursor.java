@@ -10,7 +10,8 @@ final class ChunkCursor {
   private int link; // first link of the batch
   private int segmentsLeft; // this one included
   private int batchesLeft;
-  private int offset; // of the chunk in its segment
+  private int row; // of the chunk in its segment
+  private int offset; // of the chunk in its row
   private int nodes;
 
   /** Stands before the first chunk. */
@@ -20,6 +21,7 @@ final class ChunkCursor {
     segmentsLeft = plan.segments;
     batchesLeft = plan.batches + 1;
     link = 0;
+    row = 0;
     offset = 0;
     nodes = 0;
   }
@@ -33,18 +35,20 @@ final class ChunkCursor {
 
   /** Moves to the next chunk, if there is one. */
   boolean next() {
-    if (segmentsLeft > 0) {
+    while (segmentsLeft > 0) {
       offset += nodes;
-      int left = plan.code[at + 1] - offset;
-      if (left > 0) {
-        nodes = Math.min(Chunk.NODES, left);
+      if (offset == plan.code[at + 1]) {
+        offset = 0;
+        row++;
+      }
+      nodes = Math.min(Chunk.NODES, plan.code[at + 1] - offset);
+      if (row < plan.code[at + 2]) {
         return true;
       }
       at += plan.segmentLength();
-      offset = 0;
+      row = 0;
       nodes = 0;
       segmentsLeft--;
-      return next();
     }
     if (nodes > 0) {
       link += plan.code[at + 2];
@@ -65,17 +69,24 @@ final class ChunkCursor {
 
   /** Number of a node of the chunk in its bundle. */
   int node(int k) {
-    return segmentsLeft > 0 ? plan.code[at] + offset + k : plan.code[at + 3] + plan.links[link + k];
+    return segmentsLeft > 0
+        ? plan.code[at] + inSegment() + k
+        : plan.code[at + 3] + plan.links[link + k];
+  }
+
+  /** First node of the chunk, counted from that of its segment. */
+  private int inSegment() {
+    return row * plan.code[at + 3] + offset;
   }
 
   /** Reads the chunk's populations into rows, from the neighbours' slots or from their own. */
   void read(int copy, boolean neighbours, double[][] rows) {
     if (segmentsLeft > 0) {
       for (int i = 0; i < rows.length; i++) {
-        int address = neighbours ? plan.code[at + 2 + i] : 0;
+        int address = neighbours ? plan.code[at + StreamPlan.SEGMENT + i] : 0;
         Populations from = plan.source(address, copy);
         int index = neighbours ? StreamPlan.index(address) : from.index(i, plan.code[at]);
-        from.read(Populations.pair(i), index + offset, rows[i], nodes);
+        from.read(Populations.pair(i), index + inSegment(), rows[i], nodes);
       }
     } else if (neighbours) {
       gather(copy, rows);
@@ -93,10 +104,10 @@ final class ChunkCursor {
   void write(int copy, boolean neighbours, double[][] rows) {
     if (segmentsLeft > 0) {
       for (int i = 0; i < rows.length; i++) {
-        int address = neighbours ? plan.code[at + 2 + i] : 0;
+        int address = neighbours ? plan.code[at + StreamPlan.SEGMENT + i] : 0;
         Populations to = plan.source(address, copy);
         int index = neighbours ? StreamPlan.index(address) : to.index(i, plan.code[at]);
-        to.write(Populations.pair(i), index + offset, rows[i], nodes);
+        to.write(Populations.pair(i), index + inSegment(), rows[i], nodes);
       }
     } else if (neighbours) {
       scatter(copy, rows);

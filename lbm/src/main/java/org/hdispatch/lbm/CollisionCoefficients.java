@@ -2,27 +2,35 @@ package org.hdispatch.lbm;
 
 /**
  * The numbers of a {@link Collision}, multiplied out once so that every form of the kernel computes
- * with the same ones. Per pair p of velocities, with i = 2p - 1 and c = c_i, d = rho - 1, j = rho
- * u, v = 1/rho:
+ * with the same ones. Per pair p of opposite velocities, c = c_2p-1 and d = rho - 1, j = rho u, v =
+ * 1/rho:
  *
  * <pre>
- *   linear     even = even[p] d
- *   quadratic  even = even[p] ((v c.j) (curvature c.j + along[p]) + base)
+ *   linear     form = d
+ *   quadratic  form = (v c.j) (curvature c.j + along[p]) + base
  *              base = omegaPlus d + v (squares j.j + work j.F)
- *   S = even - halfPlus s
- *   A = odd[p] c.j + push[p] - halfMinus a
- *   at rest    f_0 += even[0] (d or base) - omegaPlus f_0
+ *   E = even[p] form
+ *   O = odd[p] c.j + push[p]
+ *   f   becomes (keep f + (cross f' + E)) + O
+ *   f'  becomes (keep f' + (cross f + E)) - O
+ *   f_0 becomes (1 - omegaPlus) f_0 + even[0] (d or base)
  * </pre>
+ *
+ * f along c, f' against it. Written so that little more than the populations themselves has to stay
+ * in registers.
  */
 public final class CollisionCoefficients {
   /** omega+. */
   public final double omegaPlus;
 
-  /** omega+/2. */
-  public final double halfPlus;
+  /** 1 - omega+. */
+  public final double keepRest;
 
-  /** omega-/2. */
-  public final double halfMinus;
+  /** 1 - (omega+ + omega-)/2. */
+  public final double keep;
+
+  /** (omega- - omega+)/2. */
+  public final double cross;
 
   /** Weight of pair p (0: rest); times omega+ with the linear equilibrium. */
   public final double[] even;
@@ -59,8 +67,11 @@ public final class CollisionCoefficients {
     BodyForce force = collision.force();
     omegaPlus = collision.relaxation().omegaPlus();
     double omegaMinus = collision.relaxation().omegaMinus();
-    halfPlus = omegaPlus / 2;
-    halfMinus = omegaMinus / 2;
+    double halfPlus = omegaPlus / 2;
+    double halfMinus = omegaMinus / 2;
+    keepRest = 1 - omegaPlus;
+    keep = 1 - halfPlus - halfMinus;
+    cross = halfMinus - halfPlus;
     curvature = 4.5 * omegaPlus;
     squares = -1.5 * omegaPlus;
     work = -3 * (1 - halfPlus);

@@ -34,7 +34,7 @@ public enum KernelForm {
    *
    * @throws IllegalStateException if this JVM cannot run it
    */
-  CollisionKernels kernels() {
+  public CollisionKernels kernels() {
     if (this == VECTOR) {
       return provider()
           .orElseThrow(

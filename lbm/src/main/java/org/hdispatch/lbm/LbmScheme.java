@@ -151,7 +151,7 @@ public final class LbmScheme implements Scheme<NodalBundle, LbmScheme.Scratch> {
     StreamPlan plan = bundle.plan();
     if (!readsNeighbours && !writesNeighbours) {
       scratch.in.pointAtOwn(bundle.populations(previous), 0);
-      scratch.in.collide(scratch.kernel, scratch.in, bundle.nodes());
+      scratch.in.collide(scratch.kernel, scratch.in, bundle.nodes(), 1, 0);
       return;
     }
     for (int segment = 0; segment < plan.segments; segment++) {
@@ -162,14 +162,15 @@ public final class LbmScheme implements Scheme<NodalBundle, LbmScheme.Scratch> {
         out = scratch.out;
         plan.pointAtSegment(out, at, current, writesNeighbours);
       }
-      scratch.in.collide(scratch.kernel, out, plan.code[at + 1]);
+      scratch.in.collide(
+          scratch.kernel, out, plan.code[at + 1], plan.code[at + 2], plan.code[at + 3]);
     }
     ChunkCursor cursor = scratch.cursor;
     cursor.beginBatches(plan);
     while (cursor.next()) {
       cursor.read(previous, readsNeighbours, scratch.rows);
       scratch.kernel.collide(
-          scratch.rows, scratch.start, scratch.rows, scratch.start, cursor.nodes());
+          scratch.rows, scratch.start, scratch.rows, scratch.start, cursor.nodes(), 1, 0);
       cursor.write(current, writesNeighbours, scratch.rows);
     }
   }

@@ -83,19 +83,45 @@ final class Linker {
 
   private int writeSegments(int nodes) {
     int segments = 0;
+    int last = -1; // segment before, in code
     int end;
     for (int first = 0; first < nodes; first = end) {
       end = segmentEnd(first, nodes);
-      if (end - first >= LEAST_SEGMENT) {
-        append(first);
-        append(end - first);
-        for (int[] row : address) {
-          append(row[first]);
-        }
-        segments++;
+      if (end - first < LEAST_SEGMENT) {
+        continue;
       }
+      if (last >= 0 && isNextRow(last, first, end - first)) {
+        code[last + 3] = first - lastRow(last);
+        code[last + 2]++;
+        continue;
+      }
+      last = codeLength;
+      append(first);
+      append(end - first);
+      append(1);
+      append(0);
+      for (int[] row : address) {
+        append(row[first]);
+      }
+      segments++;
     }
     return segments;
+  }
+
+  /** First node of the last row of a segment. */
+  private int lastRow(int segment) {
+    return code[segment] + (code[segment + 2] - 1) * code[segment + 3];
+  }
+
+  /** Whether nodes can be one more row of a segment. */
+  private boolean isNextRow(int segment, int first, int n) {
+    int before = lastRow(segment);
+    int pitch = first - before;
+    boolean fits = n == code[segment + 1] && (code[segment + 2] == 1 || pitch == code[segment + 3]);
+    for (int i = 0; i < address.length && fits; i++) {
+      fits = address[i][first] == address[i][before] + pitch;
+    }
+    return fits;
   }
 
   private int writeBatches(int nodes) {

@@ -52,7 +52,7 @@ final class LoopKernel implements CollisionKernel {
       list.add(new Squares(momentum, c, base));
       list.add(new Base(density, volume, c.omegaPlus, base));
     }
-    list.add(new Rest(quadratic ? base : density, c.omegaPlus, c.even[0]));
+    list.add(new Rest(quadratic ? base : density, c.keepRest, c.even[0]));
     for (int i = 1; i < velocities; i += 2) {
       int p = (i + 1) / 2;
       int projected = projectedRow(set, i);
@@ -63,8 +63,7 @@ final class LoopKernel implements CollisionKernel {
         list.add(new Form(projected, volume, base, c.curvature, c.along[p], form));
       }
       int even = quadratic ? form : density;
-      list.add(
-          new Pair(i, even, projected, c.halfPlus, c.halfMinus, c.even[p], c.odd[p], c.push[p]));
+      list.add(new Pair(i, even, projected, c.keep, c.cross, c.even[p], c.odd[p], c.push[p]));
     }
     return list;
   }
@@ -102,31 +101,57 @@ final class LoopKernel implements CollisionKernel {
   }
 
   @Override
-  public void collide(double[][] in, int[] inAt, double[][] out, int[] outAt, int n) {
-    for (int first = 0; first < n; first += Chunk.NODES) {
-      int nodes = Math.min(Chunk.NODES, n - first);
+  public void collide(
+      double[][] in, int[] inAt, double[][] out, int[] outAt, int n, int rowCount, int pitch) {
+    int nodes = n * rowCount;
+    for (int first = 0; first < nodes; first += Chunk.NODES) {
+      int count = Math.min(Chunk.NODES, nodes - first);
       for (int i = 0; i < velocities; i++) {
-        System.arraycopy(in[i], inAt[i] + first, rows[i], 0, nodes);
+        for (int k = 0; k < count; k += piece(first + k, n, count - k)) {
+          int at = inAt[i] + place(first + k, n, pitch);
+          System.arraycopy(in[i], at, rows[i], k, piece(first + k, n, count - k));
+        }
       }
-      collide(nodes);
+      collide(count);
       for (int i = 0; i < velocities; i++) {
-        System.arraycopy(rows[i], 0, out[i], outAt[i] + first, nodes);
+        for (int k = 0; k < count; k += piece(first + k, n, count - k)) {
+          int at = outAt[i] + place(first + k, n, pitch);
+          System.arraycopy(rows[i], k, out[i], at, piece(first + k, n, count - k));
+        }
       }
     }
   }
 
   @Override
-  public void collide(float[][] in, int[] inAt, float[][] out, int[] outAt, int n) {
-    for (int first = 0; first < n; first += Chunk.NODES) {
-      int nodes = Math.min(Chunk.NODES, n - first);
+  public void collide(
+      float[][] in, int[] inAt, float[][] out, int[] outAt, int n, int rowCount, int pitch) {
+    int nodes = n * rowCount;
+    for (int first = 0; first < nodes; first += Chunk.NODES) {
+      int count = Math.min(Chunk.NODES, nodes - first);
       for (int i = 0; i < velocities; i++) {
-        Chunk.widen(in[i], inAt[i] + first, rows[i], nodes);
+        for (int k = 0; k < count; k += piece(first + k, n, count - k)) {
+          int at = inAt[i] + place(first + k, n, pitch);
+          Chunk.widen(in[i], at, rows[i], k, piece(first + k, n, count - k));
+        }
       }
-      collide(nodes);
+      collide(count);
       for (int i = 0; i < velocities; i++) {
-        Chunk.narrow(rows[i], out[i], outAt[i] + first, nodes);
+        for (int k = 0; k < count; k += piece(first + k, n, count - k)) {
+          int at = outAt[i] + place(first + k, n, pitch);
+          Chunk.narrow(rows[i], k, out[i], at, piece(first + k, n, count - k));
+        }
       }
     }
+  }
+
+  /** Where a node lies, counted through all rows of n. */
+  private static int place(int node, int n, int pitch) {
+    return node / n * pitch + node % n;
+  }
+
+  /** Nodes from one to the end of its row, at most so many. */
+  private static int piece(int node, int n, int most) {
+    return Math.min(n - node % n, most);
   }
 
   private void collide(int n) {
@@ -251,15 +276,15 @@ final class LoopKernel implements CollisionKernel {
   }
 
   /** The population at rest. */
-  private record Rest(int form, double omegaPlus, double even) implements RowOperation {
+  private record Rest(int form, double keep, double even) implements RowOperation {
     @Override
     public void apply(double[][] rows, int n) {
       double[] f = rows[0];
       double[] row = rows[form];
-      double plus = omegaPlus;
+      double own = keep;
       double e = even;
       for (int k = 0; k < n; k++) {
-        f[k] += Math.fma(-plus, f[k], e * row[k]);
+        f[k] = Math.fma(own, f[k], e * row[k]);
       }
     }
   }
@@ -332,8 +357,8 @@ final class LoopKernel implements CollisionKernel {
       int i,
       int form,
       int projected,
-      double halfPlus,
-      double halfMinus,
+      double keep,
+      double cross,
       double even,
       double odd,
       double push)
@@ -344,18 +369,18 @@ final class LoopKernel implements CollisionKernel {
       double[] g = rows[i + 1];
       double[] row = rows[form];
       double[] cj = rows[projected];
-      double hp = halfPlus;
-      double hm = halfMinus;
+      double own = keep;
+      double other = cross;
       double e = even;
       double o = odd;
       double p = push;
       for (int k = 0; k < n; k++) {
         double forth = f[k];
         double back = g[k];
-        double s = Math.fma(-hp, forth + back, e * row[k]);
-        double a = Math.fma(-hm, forth - back, Math.fma(o, cj[k], p));
-        f[k] = back + (s - a);
-        g[k] = forth + (s + a);
+        double rise = e * row[k];
+        double drift = Math.fma(o, cj[k], p);
+        f[k] = Math.fma(own, back, Math.fma(other, forth, rise)) - drift;
+        g[k] = Math.fma(own, forth, Math.fma(other, back, rise)) + drift;
       }
     }
   }

@@ -15,27 +15,33 @@ final class NodeKernel implements CollisionKernel {
   }
 
   @Override
-  public void collide(double[][] in, int[] inAt, double[][] out, int[] outAt, int n) {
-    for (int k = 0; k < n; k++) {
-      for (int i = 0; i < f.length; i++) {
-        f[i] = in[i][inAt[i] + k];
-      }
-      collide();
-      for (int i = 0; i < f.length; i++) {
-        out[i][outAt[i] + k] = f[set.opposite(i)];
+  public void collide(
+      double[][] in, int[] inAt, double[][] out, int[] outAt, int n, int rows, int pitch) {
+    for (int row = 0; row < rows; row++) {
+      for (int k = row * pitch; k < row * pitch + n; k++) {
+        for (int i = 0; i < f.length; i++) {
+          f[i] = in[i][inAt[i] + k];
+        }
+        collide();
+        for (int i = 0; i < f.length; i++) {
+          out[i][outAt[i] + k] = f[set.opposite(i)];
+        }
       }
     }
   }
 
   @Override
-  public void collide(float[][] in, int[] inAt, float[][] out, int[] outAt, int n) {
-    for (int k = 0; k < n; k++) {
-      for (int i = 0; i < f.length; i++) {
-        f[i] = in[i][inAt[i] + k];
-      }
-      collide();
-      for (int i = 0; i < f.length; i++) {
-        out[i][outAt[i] + k] = (float) f[set.opposite(i)];
+  public void collide(
+      float[][] in, int[] inAt, float[][] out, int[] outAt, int n, int rows, int pitch) {
+    for (int row = 0; row < rows; row++) {
+      for (int k = row * pitch; k < row * pitch + n; k++) {
+        for (int i = 0; i < f.length; i++) {
+          f[i] = in[i][inAt[i] + k];
+        }
+        collide();
+        for (int i = 0; i < f.length; i++) {
+          out[i][outAt[i] + k] = (float) f[set.opposite(i)];
+        }
       }
     }
   }
@@ -60,15 +66,17 @@ final class NodeKernel implements CollisionKernel {
       double jf = Math.fma(c.forceX, jx, Math.fma(c.forceY, jy, c.forceZ * jz));
       base = Math.fma(c.omegaPlus, d, v * Math.fma(c.squares, jj, c.work * jf));
     }
-    f[0] += Math.fma(-c.omegaPlus, f[0], c.even[0] * base);
+    f[0] = Math.fma(c.keepRest, f[0], c.even[0] * base);
     for (int p = 1; p < c.even.length; p++) {
       int i = 2 * p - 1;
+      double forth = f[i];
+      double back = f[i + 1];
       double cj = project(i, jx, jy, jz);
       double form = quadratic ? Math.fma(v * cj, Math.fma(c.curvature, cj, c.along[p]), base) : d;
-      double s = Math.fma(-c.halfPlus, f[i] + f[i + 1], c.even[p] * form);
-      double a = Math.fma(-c.halfMinus, f[i] - f[i + 1], Math.fma(c.odd[p], cj, c.push[p]));
-      f[i] += s + a;
-      f[i + 1] += s - a;
+      double even = c.even[p] * form;
+      double odd = Math.fma(c.odd[p], cj, c.push[p]);
+      f[i] = Math.fma(c.keep, forth, Math.fma(c.cross, back, even)) + odd;
+      f[i + 1] = Math.fma(c.keep, back, Math.fma(c.cross, forth, even)) - odd;
     }
   }
 

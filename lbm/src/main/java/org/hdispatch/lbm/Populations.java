@@ -165,12 +165,12 @@ abstract sealed class Populations {
 
     @Override
     void read(int pair, int index, double[] row, int n) {
-      Chunk.widen(pairs[pair], index, row, n);
+      Chunk.widen(pairs[pair], index, row, 0, n);
     }
 
     @Override
     void write(int pair, int index, double[] row, int n) {
-      Chunk.narrow(row, pairs[pair], index, n);
+      Chunk.narrow(row, 0, pairs[pair], index, n);
     }
 
     @Override

@@ -17,8 +17,8 @@ abstract sealed class Rows {
   /** Points velocity i at an index of the array that holds it and its opposite. */
   abstract void point(int i, Populations to, int index);
 
-  /** Collides n nodes, from these rows to others. */
-  abstract void collide(CollisionKernel kernel, Rows to, int n);
+  /** Collides rows of n nodes, a pitch apart, from these places to others. */
+  abstract void collide(CollisionKernel kernel, Rows to, int n, int rows, int pitch);
 
   /** Points all velocities at their own slots, from a node on. */
   final void pointAtOwn(Populations own, int node) {
@@ -45,8 +45,8 @@ abstract sealed class Rows {
     }
 
     @Override
-    void collide(CollisionKernel kernel, Rows to, int n) {
-      kernel.collide(arrays, at, ((InDouble) to).arrays, to.at, n);
+    void collide(CollisionKernel kernel, Rows to, int n, int rows, int pitch) {
+      kernel.collide(arrays, at, ((InDouble) to).arrays, to.at, n, rows, pitch);
     }
   }
 
@@ -68,8 +68,8 @@ abstract sealed class Rows {
     }
 
     @Override
-    void collide(CollisionKernel kernel, Rows to, int n) {
-      kernel.collide(arrays, at, ((InSingle) to).arrays, to.at, n);
+    void collide(CollisionKernel kernel, Rows to, int n, int rows, int pitch) {
+      kernel.collide(arrays, at, ((InSingle) to).arrays, to.at, n, rows, pitch);
     }
   }
 }

@@ -11,22 +11,27 @@ package org.hdispatch.lbm;
  * <p>Nodes are described in one of two ways:
  *
  * <ul>
- *   <li>as <em>segments</em>: nodes side by side, whose slots lie side by side too, for every
- *       velocity. A segment needs one address a velocity, and is collided where it stands (after
- *       Wittmann, Zeiser, Hager, Wellein, arXiv 1410.0412).
+ *   <li>as <em>segments</em>: rows of nodes side by side, whose slots lie side by side too, for
+ *       every velocity; several rows at equal distances make one segment. A segment needs one
+ *       address a velocity, and is collided where it stands (after Wittmann, Zeiser, Hager,
+ *       Wellein, arXiv 1410.0412).
  *   <li>in <em>batches</em> of at most {@link Chunk#NODES} nodes, gathered into the worker's
  *       scratch and scattered from there: the nodes at the ends of rows and in narrow pores. A link
  *       within the bundle is 16 bits; those that lead to another bundle stand in a list.
  * </ul>
  *
- * <p>Layout of {@code code}: for each segment, first node, number of nodes, an address a velocity;
- * then for each batch, number of nodes, length in {@code code}, number of links, and for each
- * velocity the base of its links, their number, the number of links that lead elsewhere, and for
- * each of these its node in the batch and its address. The links of velocity 0 are the nodes.
+ * <p>Layout of {@code code}: for each segment, first node, nodes of a row, rows, their pitch, an
+ * address a velocity; then for each batch, number of nodes, length in {@code code}, number of
+ * links, and for each velocity the base of its links, their number, the number of links that lead
+ * elsewhere, and for each of these its node in the batch and its address. The links of velocity 0
+ * are the nodes.
  */
 final class StreamPlan {
   /** Bits of an address that are the index; those above are the number of the source. */
   static final int INDEX_BITS = 27;
+
+  /** Numbers of a segment before its addresses: first node, nodes of a row, rows, their pitch. */
+  static final int SEGMENT = 4;
 
   private static final int INDEX = (1 << INDEX_BITS) - 1;
 
@@ -84,7 +89,7 @@ final class StreamPlan {
   void pointAtSegment(Rows rows, int at, int copy, boolean neighbours) {
     if (neighbours) {
       for (int i = 0; i < velocities; i++) {
-        int address = code[at + 2 + i];
+        int address = code[at + SEGMENT + i];
         rows.point(i, source(address, copy), index(address));
       }
     } else {
@@ -94,6 +99,6 @@ final class StreamPlan {
 
   /** Length of a segment in {@code code}. */
   int segmentLength() {
-    return 2 + velocities;
+    return SEGMENT + velocities;
   }
 }

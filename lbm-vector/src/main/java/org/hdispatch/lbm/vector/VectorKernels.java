@@ -1,0 +1,36 @@
+package org.hdispatch.lbm.vector;
+
+import org.hdispatch.lbm.Collision;
+import org.hdispatch.lbm.CollisionCoefficients;
+import org.hdispatch.lbm.CollisionKernel;
+import org.hdispatch.lbm.CollisionKernels;
+import org.hdispatch.lbm.Equilibrium;
+import org.hdispatch.lbm.VelocitySet;
+
+/**
+ * Kernels written with the Vector API: all populations of several nodes at once in vector
+ * registers, so that each is read and written once.
+ */
+public final class VectorKernels implements CollisionKernels {
+  /** For {@link java.util.ServiceLoader}. */
+  public VectorKernels() {}
+
+  @Override
+  public boolean available() {
+    return ModuleLayer.boot().findModule("jdk.incubator.vector").isPresent();
+  }
+
+  @Override
+  public CollisionKernel kernel(Collision collision) {
+    if (!available()) {
+      throw new IllegalStateException(
+          "vector kernels need --add-modules jdk.incubator.vector: collision=" + collision);
+    }
+    CollisionCoefficients coefficients = collision.coefficients();
+    boolean linear = collision.equilibrium() == Equilibrium.LINEAR;
+    if (collision.set() == VelocitySet.D3Q15) {
+      return linear ? new D3Q15LinearKernel(coefficients) : new D3Q15QuadraticKernel(coefficients);
+    }
+    return linear ? new D3Q19LinearKernel(coefficients) : new D3Q19QuadraticKernel(coefficients);
+  }
+}
