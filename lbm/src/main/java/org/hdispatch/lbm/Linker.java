@@ -6,7 +6,7 @@ import org.hdispatch.cell.CellMap;
 /** Finds the slots that the nodes of a bundle stream from and to, and writes them as a plan. */
 final class Linker {
   /** Nodes from which on a segment is collided where it stands. */
-  private static final int LEAST_SEGMENT = Integer.getInteger("seg", 8);
+  private static final int LEAST_SEGMENT = 8;
 
   private final VelocitySet set;
   private final BundleSize size;
