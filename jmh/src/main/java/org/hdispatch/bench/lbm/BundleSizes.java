@@ -3,7 +3,7 @@ package org.hdispatch.bench.lbm;
 import org.hdispatch.lbm.BundleSize;
 
 /** Reads bundle sizes from benchmark parameters. */
-final class BundleSizes {
+public final class BundleSizes {
   private BundleSizes() {}
 
   /**
@@ -12,7 +12,7 @@ final class BundleSizes {
    * @param text edge of a cube, or {@code nx}x{@code ny}x{@code nz}
    * @throws IllegalArgumentException if it is neither
    */
-  static BundleSize parse(String text) {
+  public static BundleSize parse(String text) {
     String[] edges = text.split("x", -1);
     if (edges.length == 1) {
       return BundleSize.cube(Integer.parseInt(text));

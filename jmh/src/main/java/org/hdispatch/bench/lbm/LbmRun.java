@@ -1,39 +1,108 @@
 package org.hdispatch.bench.lbm;
 
+import java.util.Locale;
 import org.hdispatch.dispatch.Dispatcher;
 import org.hdispatch.dispatch.TimeLoop;
 import org.hdispatch.lbm.BodyForce;
+import org.hdispatch.lbm.KernelForm;
 import org.hdispatch.lbm.Lattice;
 import org.hdispatch.lbm.LbmScheme;
+import org.hdispatch.lbm.Storage;
+import org.hdispatch.lbm.Streaming;
 import org.hdispatch.lbm.VelocitySet;
+import org.openjdk.jmh.annotations.Level;
+import org.openjdk.jmh.annotations.Param;
+import org.openjdk.jmh.annotations.Scope;
+import org.openjdk.jmh.annotations.Setup;
+import org.openjdk.jmh.annotations.State;
+import org.openjdk.jmh.annotations.TearDown;
 
 /** A lattice driven by a body force along x, TRT at tau 1, its workers running. */
-final class LbmRun implements AutoCloseable {
+@State(Scope.Benchmark)
+public abstract class LbmRun {
   /** Weak: the flow stays slow however long the benchmark runs. */
   private static final BodyForce FORCE = new BodyForce(1e-7, 0, 0);
 
-  private final Dispatcher dispatcher;
-  private final LbmScheme scheme;
-  private final TimeLoop loop;
+  private static final String FASTEST = "FASTEST";
 
-  LbmRun(Lattice lattice, VelocitySet velocitySet, String bundle, int workers) {
+  /** How populations move: IN_PLACE, PULL, PUSH. */
+  @Param("IN_PLACE")
+  public Streaming streaming;
+
+  /** Precision in which populations are stored: DOUBLE, SINGLE. */
+  @Param("DOUBLE")
+  public Storage storage;
+
+  /** Form of the kernel: FASTEST that this JVM can run, or REFERENCE, LOOPS, VECTOR. */
+  @Param(FASTEST)
+  public String kernel;
+
+  /** Number of workers. */
+  @Param("2")
+  public int workers;
+
+  private Held<LbmScheme> scheme;
+  private double bytesMoved; // a node and step
+  private Dispatcher dispatcher;
+  private TimeLoop loop;
+  private StreamProbe probe;
+  private double bandwidth;
+  private double updates; // in this iteration
+  private long nanos;
+
+  /** Makes the nodes and starts the workers: in the set-up of a trial. */
+  final void start(Lattice lattice, VelocitySet set, String bundle) {
     scheme =
-        LbmScheme.on(lattice)
-            .velocitySet(velocitySet)
-            .bundleSize(BundleSizes.parse(bundle))
-            .force(FORCE)
-            .build();
+        Held.measure(
+            () ->
+                LbmScheme.on(lattice)
+                    .velocitySet(set)
+                    .bundleSize(BundleSizes.parse(bundle))
+                    .streaming(streaming)
+                    .storage(storage)
+                    .kernel(kernelForm())
+                    .force(FORCE)
+                    .build());
+    bytesMoved = (streaming.copies() + 1.0) * set.size() * storage.bytes();
     dispatcher = Dispatcher.withWorkers(workers);
-    loop = dispatcher.loop(scheme);
+    loop = dispatcher.loop(scheme.made());
+    probe = new StreamProbe(dispatcher, streaming);
   }
 
-  void run(int steps, NodeRate rate) {
+  private KernelForm kernelForm() {
+    KernelForm form = kernel.equals(FASTEST) ? KernelForm.fastest() : KernelForm.valueOf(kernel);
+    System.out.printf(Locale.ROOT, "%n# Kernel: %s%n", form);
+    return form;
+  }
+
+  /** Measures the bandwidth. */
+  @Setup(Level.Iteration)
+  public void measureBandwidth() {
+    bandwidth = probe.measure();
+    updates = 0;
+    nanos = 0;
+  }
+
+  /** Runs this many steps. */
+  final void run(int steps, NodeRate rate, Bandwidth use) {
+    long begin = System.nanoTime();
     loop.run(steps);
-    rate.mflups += steps * scheme.nodes();
+    nanos += System.nanoTime() - begin;
+    long nodes = scheme.made().nodes();
+    rate.mflups += steps * nodes;
+    updates += (double) steps * nodes;
+    use.bandwidthGBps = bandwidth;
+    use.ofBandwidth = updates * bytesMoved / nanos / bandwidth;
   }
 
-  @Override
-  public void close() {
+  /** Puts the figure where JMH reads it, for it clears the counters before each iteration. */
+  final void report(Memory memory) {
+    memory.bytesPerNode = (double) scheme.bytes() / scheme.made().nodes();
+  }
+
+  /** Ends the workers. */
+  @TearDown(Level.Trial)
+  public void end() {
     dispatcher.close();
   }
 }
