@@ -1,10 +1,8 @@
 package org.hdispatch.bench.lbm;
 
-import java.util.Locale;
 import org.hdispatch.dispatch.Dispatcher;
 import org.hdispatch.dispatch.TimeLoop;
 import org.hdispatch.lbm.BodyForce;
-import org.hdispatch.lbm.KernelForm;
 import org.hdispatch.lbm.Lattice;
 import org.hdispatch.lbm.LbmScheme;
 import org.hdispatch.lbm.Storage;
@@ -23,8 +21,6 @@ public abstract class LbmRun {
   /** Weak: the flow stays slow however long the benchmark runs. */
   private static final BodyForce FORCE = new BodyForce(1e-7, 0, 0);
 
-  private static final String FASTEST = "FASTEST";
-
   /** How populations move: IN_PLACE, PULL, PUSH. */
   @Param("IN_PLACE")
   public Streaming streaming;
@@ -34,7 +30,7 @@ public abstract class LbmRun {
   public Storage storage;
 
   /** Form of the kernel: FASTEST that this JVM can run, or REFERENCE, LOOPS, VECTOR. */
-  @Param(FASTEST)
+  @Param(Kernels.FASTEST)
   public String kernel;
 
   /** Number of workers. */
@@ -60,19 +56,13 @@ public abstract class LbmRun {
                     .bundleSize(BundleSizes.parse(bundle))
                     .streaming(streaming)
                     .storage(storage)
-                    .kernel(kernelForm())
+                    .kernel(Kernels.parse(kernel))
                     .force(FORCE)
                     .build());
     bytesMoved = (streaming.copies() + 1.0) * set.size() * storage.bytes();
     dispatcher = Dispatcher.withWorkers(workers);
     loop = dispatcher.loop(scheme.made());
     probe = new StreamProbe(dispatcher, streaming);
-  }
-
-  private KernelForm kernelForm() {
-    KernelForm form = kernel.equals(FASTEST) ? KernelForm.fastest() : KernelForm.valueOf(kernel);
-    System.out.printf(Locale.ROOT, "%n# Kernel: %s%n", form);
-    return form;
   }
 
   /** Measures the bandwidth. */

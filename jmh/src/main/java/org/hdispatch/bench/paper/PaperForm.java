@@ -43,7 +43,7 @@ public enum PaperForm {
   private final Streaming streaming;
   private final NodeLayout layout; // null: flat
   private final Storage storage;
-  private final KernelForm kernel; // null: the fastest
+  private final KernelForm kernel; // null: that of the benchmark
 
   PaperForm(Streaming streaming, NodeLayout layout) {
     this.streaming = streaming;
@@ -59,8 +59,12 @@ public enum PaperForm {
     this.kernel = kernel;
   }
 
-  /** Makes the nodes. */
-  Scheme<?, ?> scheme(Lattice lattice, VelocitySet set, BundleSize bundle) {
+  /**
+   * Makes the nodes.
+   *
+   * @param fastest kernel of the flat forms that do not name one
+   */
+  Scheme<?, ?> scheme(Lattice lattice, VelocitySet set, BundleSize bundle, KernelForm fastest) {
     if (layout != null) {
       Collision collision = new Collision(set, RELAXATION, Equilibrium.QUADRATIC, FORCE);
       return new NodeScheme(lattice, collision, bundle, streaming, layout);
@@ -72,7 +76,7 @@ public enum PaperForm {
         .force(FORCE)
         .streaming(streaming)
         .storage(storage)
-        .kernel(kernel == null ? KernelForm.fastest() : kernel)
+        .kernel(kernel == null ? fastest : kernel)
         .build();
   }
 

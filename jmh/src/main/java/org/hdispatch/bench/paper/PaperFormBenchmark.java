@@ -4,6 +4,7 @@ import java.util.concurrent.TimeUnit;
 import org.hdispatch.bench.lbm.BundleSizes;
 import org.hdispatch.bench.lbm.Ducts;
 import org.hdispatch.bench.lbm.Held;
+import org.hdispatch.bench.lbm.Kernels;
 import org.hdispatch.bench.lbm.Memory;
 import org.hdispatch.bench.lbm.NodeRate;
 import org.hdispatch.dispatch.Scheme;
@@ -78,6 +79,12 @@ public class PaperFormBenchmark {
     @Param("D3Q15")
     public VelocitySet velocitySet;
 
+    /**
+     * Kernel of the flat forms but FLAT_REFERENCE: FASTEST that this JVM can run, LOOPS, VECTOR.
+     */
+    @Param(Kernels.FASTEST)
+    public String kernel;
+
     /** Number of workers. */
     @Param("2")
     public int workers;
@@ -90,7 +97,12 @@ public class PaperFormBenchmark {
     public void begin() {
       scheme =
           Held.measure(
-              () -> form.scheme(Ducts.square(side), velocitySet, BundleSizes.parse(bundle)));
+              () ->
+                  form.scheme(
+                      Ducts.square(side),
+                      velocitySet,
+                      BundleSizes.parse(bundle),
+                      Kernels.parse(kernel)));
       stepper = form.start(scheme.made(), workers);
     }
 
