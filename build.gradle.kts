@@ -9,8 +9,12 @@ fun lib(artifactId: String) = catalog.findLibrary(artifactId).get()
 /** What Maven's Surefire adds by itself; its version comes with junit-jupiter. */
 val launcher = "org.junit.platform:junit-platform-launcher"
 
+/** What the module with the Vector API kernels needs, compiled and tested. */
+val incubator = listOf("--add-modules", "jdk.incubator.vector")
+
 subprojects {
     apply(plugin = "java-library")
+    val usesIncubator = name == "lbm-vector"
 
     configure<BasePluginExtension> {
         archivesName.set(if (name == "hdispatch-core") name else "hdispatch-$name")
@@ -23,7 +27,13 @@ subprojects {
         isReproducibleFileOrder = true
     }
     tasks.withType<JavaCompile>().configureEach {
-        options.release.set(catalog.findVersion("java-release").get().requiredVersion.toInt())
+        val release = catalog.findVersion("java-release").get().requiredVersion
+        if (usesIncubator) {
+            sourceCompatibility = release
+            targetCompatibility = release
+        } else {
+            options.release.set(release.toInt())
+        }
         options.encoding = "UTF-8"
         options.compilerArgs.addAll(
             listOf(
@@ -33,9 +43,15 @@ subprojects {
                 "-Werror",
             ),
         )
+        if (usesIncubator) {
+            // The releases that javac knows leave incubator modules out, and it warns of them.
+            options.compilerArgs.remove("-Werror")
+            options.compilerArgs.addAll(incubator)
+        }
     }
     tasks.withType<Test>().configureEach {
         val validation = providers.gradleProperty("validation").isPresent // gradle -Pvalidation test
+        if (usesIncubator) jvmArgs(incubator)
         useJUnitPlatform {
             if (validation) includeTags("validation") else excludeTags("validation")
         }
@@ -75,6 +91,14 @@ project(":lbm") {
     }
 }
 
+project(":lbm-vector") {
+    dependencies {
+        "implementation"(project(":lbm"))
+        "testImplementation"(lib("junit-jupiter"))
+        "testRuntimeOnly"(launcher)
+    }
+}
+
 project(":porous") {
     dependencies {
         "api"(project(":hdispatch-core"))
@@ -94,6 +118,7 @@ project(":app") {
         "implementation"(project(":lbm"))
         "implementation"(project(":porous"))
         "implementation"(lib("picocli"))
+        "runtimeOnly"(project(":lbm-vector"))
         "runtimeOnly"(lib("slf4j-nop"))
         "testImplementation"(lib("junit-jupiter"))
         "testImplementation"(lib("archunit"))
@@ -105,6 +130,7 @@ project(":jmh") {
     dependencies {
         "implementation"(project(":hdispatch-core"))
         "implementation"(project(":lbm"))
+        "runtimeOnly"(project(":lbm-vector"))
         "implementation"(lib("jmh-core"))
         "annotationProcessor"(lib("jmh-generator-annprocess"))
         "testImplementation"(lib("junit-jupiter"))

@@ -129,6 +129,18 @@ class BuildParityTest {
   }
 
   @Test
+  void onlyTheVectorKernelsUseAnIncubatorModule() {
+    for (String module : modules) {
+      Element pom = xml(root.resolve(module).resolve("pom.xml"));
+      boolean uses = pom.getTextContent().contains("--add-modules");
+      assertEquals(module.equals("lbm-vector"), uses, module);
+      assertFalse(uses && pom.getTextContent().contains("-Werror"), module);
+    }
+    assertTrue(gradle.contains("val usesIncubator = name == \"lbm-vector\""));
+    assertTrue(gradle.contains("listOf(\"--add-modules\", \"jdk.incubator.vector\")"));
+  }
+
+  @Test
   void testsThatNeedMinutesAreLeftOutByBoth() {
     assertEquals("validation", text(child(parent, "properties"), "excluded.groups"));
     assertTrue(gradle.contains("excludeTags(\"validation\")"));

@@ -182,7 +182,7 @@ final class NodeScheme implements Scheme<NodeBundle, NodeScheme.Scratch> {
         populations[i][0] =
             from == null ? node.get(previous, set.opposite(i)) : from.get(previous, i);
       }
-      kernel.collide(populations, start, populations, start, 1);
+      kernel.collide(populations, start, populations, start, 1, 1, 0);
       for (int i = 0; i < populations.length; i++) {
         node.set(current, set.opposite(i), populations[i][0]);
       }
@@ -193,7 +193,7 @@ final class NodeScheme implements Scheme<NodeBundle, NodeScheme.Scratch> {
       for (int i = 0; i < populations.length; i++) {
         populations[i][0] = node.get(previous, i);
       }
-      kernel.collide(populations, start, populations, start, 1);
+      kernel.collide(populations, start, populations, start, 1, 1, 0);
       for (int i = 0; i < populations.length; i++) {
         send(bundle, position, node, i, current, populations[set.opposite(i)][0]);
       }
