@@ -123,20 +123,23 @@ final class ChunkCursor {
 
   private void gather(int copy, double[][] rows) {
     int[] code = plan.code;
+    char[] links = plan.links;
     Populations own = plan.own(copy);
     int next = at + 3;
     int from = link;
     for (int i = 0; i < rows.length; i++) {
-      double[] row = rows[i];
       int pair = Populations.pair(i);
       int within = code[next + 1];
-      int elsewhere = code[next + 2];
-      own.gather(pair, code[next], plan.links, from, row, within);
+      own.gather(pair, code[next], links, from, rows[i], within);
       from += within;
+      int groups = code[next + 2];
       next += 3;
-      for (int e = 0; e < elsewhere; e++) {
-        int address = code[next + 1];
-        row[code[next]] = plan.source(address, copy).at(pair, StreamPlan.index(address));
+      for (int group = 0; group < groups; group++) {
+        int address = code[next];
+        int n = code[next + 1];
+        plan.source(address, copy)
+            .gatherAt(pair, StreamPlan.index(address), links, from, rows[i], n);
+        from += 2 * n;
         next += 2;
       }
     }
@@ -144,20 +147,23 @@ final class ChunkCursor {
 
   private void scatter(int copy, double[][] rows) {
     int[] code = plan.code;
+    char[] links = plan.links;
     Populations own = plan.own(copy);
     int next = at + 3;
     int from = link;
     for (int i = 0; i < rows.length; i++) {
-      double[] row = rows[i];
       int pair = Populations.pair(i);
       int within = code[next + 1];
-      int elsewhere = code[next + 2];
-      own.scatter(pair, code[next], plan.links, from, row, within);
+      own.scatter(pair, code[next], links, from, rows[i], within);
       from += within;
+      int groups = code[next + 2];
       next += 3;
-      for (int e = 0; e < elsewhere; e++) {
-        int address = code[next + 1];
-        plan.source(address, copy).put(pair, StreamPlan.index(address), row[code[next]]);
+      for (int group = 0; group < groups; group++) {
+        int address = code[next];
+        int n = code[next + 1];
+        plan.source(address, copy)
+            .scatterAt(pair, StreamPlan.index(address), links, from, rows[i], n);
+        from += 2 * n;
         next += 2;
       }
     }

@@ -12,6 +12,7 @@ final class Linker {
   private final BundleSize size;
   private final Surroundings surroundings;
   private final int[][] address; // per velocity and node
+  private final long[] others = new long[Chunk.NODES]; // links of a batch that lead elsewhere
   private int[] code = new int[1024];
   private int codeLength;
   private char[] links = new char[1024];
@@ -161,32 +162,27 @@ final class Linker {
   }
 
   /**
-   * Writes the links of one velocity. A link that leads elsewhere is listed; among the others its
-   * place is taken by the next of them: scattering writes there too early, and again when its turn
-   * comes.
+   * Writes the links of one velocity. The place of a link that leads elsewhere is taken by the next
+   * that does not: scattering writes there too early, and again when its turn comes.
    */
   private void writeLinks(int[] row, int[] batch, int count) {
     int base = Integer.MAX_VALUE;
     for (int k = 0; k < count; k++) {
-      if (row[batch[k]] >= 0 && row[batch[k]] >>> StreamPlan.INDEX_BITS == 0) {
+      if (row[batch[k]] >>> StreamPlan.INDEX_BITS == 0) {
         base = Math.min(base, row[batch[k]]);
       }
     }
     int within = 0;
+    int elsewhere = 0;
     for (int k = 0; k < count; k++) {
-      within = isWithin(row[batch[k]], base) ? k + 1 : within;
+      if (isWithin(row[batch[k]], base)) {
+        within = k + 1;
+      } else {
+        others[elsewhere++] = Integer.toUnsignedLong(row[batch[k]]) * Chunk.NODES + k;
+      }
     }
     append(within == 0 ? 0 : base);
     append(within);
-    int elsewhereAt = codeLength;
-    append(0);
-    for (int k = 0; k < count; k++) {
-      if (!isWithin(row[batch[k]], base)) {
-        append(k);
-        append(row[batch[k]]);
-        code[elsewhereAt]++;
-      }
-    }
     reserveLinks(within);
     int next = 0;
     for (int k = within - 1; k >= 0; k--) {
@@ -194,6 +190,37 @@ final class Linker {
       links[linkCount + k] = (char) next;
     }
     linkCount += within;
+    writeGroups(elsewhere);
+  }
+
+  /** Writes the links that lead elsewhere: by bundle, and such that 16 bits reach them. */
+  private void writeGroups(int elsewhere) {
+    Arrays.sort(others, 0, elsewhere);
+    int groupsAt = codeLength;
+    append(0);
+    int end;
+    for (int first = 0; first < elsewhere; first = end) {
+      int address = (int) (others[first] / Chunk.NODES);
+      end = first + 1;
+      while (end < elsewhere && isReachable(address, (int) (others[end] / Chunk.NODES))) {
+        end++;
+      }
+      int members = end - first;
+      append(address);
+      append(members);
+      reserveLinks(2 * members);
+      for (int m = 0; m < members; m++) {
+        links[linkCount + m] = (char) (others[first + m] % Chunk.NODES);
+        links[linkCount + members + m] = (char) ((int) (others[first + m] / Chunk.NODES) - address);
+      }
+      linkCount += 2 * members;
+      code[groupsAt]++;
+    }
+  }
+
+  private static boolean isReachable(int from, int address) {
+    return from >>> StreamPlan.INDEX_BITS == address >>> StreamPlan.INDEX_BITS
+        && address - from <= Character.MAX_VALUE;
   }
 
   private static boolean isWithin(int address, int base) {

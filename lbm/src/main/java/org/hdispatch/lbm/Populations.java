@@ -78,6 +78,12 @@ abstract sealed class Populations {
   /** Writes row[k] to base + links[from + k], in order of k. */
   abstract void scatter(int pair, int base, char[] links, int from, double[] row, int n);
 
+  /** Reads row[links[from + m]] from base + links[from + n + m]. */
+  abstract void gatherAt(int pair, int base, char[] links, int from, double[] row, int n);
+
+  /** Writes row[links[from + m]] to base + links[from + n + m]. */
+  abstract void scatterAt(int pair, int base, char[] links, int from, double[] row, int n);
+
   /** Bytes of the arrays. */
   abstract long bytes();
 
@@ -127,6 +133,22 @@ abstract sealed class Populations {
       double[] own = pairs[pair];
       for (int k = 0; k < n; k++) {
         own[base + links[from + k]] = row[k];
+      }
+    }
+
+    @Override
+    void gatherAt(int pair, int base, char[] links, int from, double[] row, int n) {
+      double[] array = pairs[pair];
+      for (int m = from; m < from + n; m++) {
+        row[links[m]] = array[base + links[n + m]];
+      }
+    }
+
+    @Override
+    void scatterAt(int pair, int base, char[] links, int from, double[] row, int n) {
+      double[] array = pairs[pair];
+      for (int m = from; m < from + n; m++) {
+        array[base + links[n + m]] = row[links[m]];
       }
     }
 
@@ -186,6 +208,22 @@ abstract sealed class Populations {
       float[] own = pairs[pair];
       for (int k = 0; k < n; k++) {
         own[base + links[from + k]] = (float) row[k];
+      }
+    }
+
+    @Override
+    void gatherAt(int pair, int base, char[] links, int from, double[] row, int n) {
+      float[] array = pairs[pair];
+      for (int m = from; m < from + n; m++) {
+        row[links[m]] = array[base + links[n + m]];
+      }
+    }
+
+    @Override
+    void scatterAt(int pair, int base, char[] links, int from, double[] row, int n) {
+      float[] array = pairs[pair];
+      for (int m = from; m < from + n; m++) {
+        array[base + links[n + m]] = (float) row[links[m]];
       }
     }
 

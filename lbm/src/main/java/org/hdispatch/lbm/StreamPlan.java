@@ -17,14 +17,15 @@ package org.hdispatch.lbm;
  *       Wellein, arXiv 1410.0412).
  *   <li>in <em>batches</em> of at most {@link Chunk#NODES} nodes, gathered into the worker's
  *       scratch and scattered from there: the nodes at the ends of rows and in narrow pores. A link
- *       within the bundle is 16 bits; those that lead to another bundle stand in a list.
+ *       is 16 bits; those that lead to another bundle come in groups.
  * </ul>
  *
  * <p>Layout of {@code code}: for each segment, first node, nodes of a row, rows, their pitch, an
  * address a velocity; then for each batch, number of nodes, length in {@code code}, number of
- * links, and for each velocity the base of its links, their number, the number of links that lead
- * elsewhere, and for each of these its node in the batch and its address. The links of velocity 0
- * are the nodes.
+ * {@code links}, and for each velocity the base of its links within the bundle, their number, the
+ * number of groups of links that lead elsewhere, and for each group its first address and number.
+ * The links of a group are the nodes, then the distances from its first address. The links of
+ * velocity 0 are the nodes.
  */
 final class StreamPlan {
   /** Bits of an address that are the index; those above are the number of the source. */
