@@ -3,6 +3,7 @@ module org.hdispatch.lbm {
   requires transitive org.hdispatch.core;
 
   exports org.hdispatch.lbm;
+  exports org.hdispatch.lbm.duct;
 
   uses org.hdispatch.lbm.CollisionKernels;
 }
