@@ -57,6 +57,11 @@ final class CollectorWatch implements FlowListener, AutoCloseable {
 
   @Override
   public void started(Start start) {
+    begin();
+  }
+
+  /** Stepping begins. */
+  void begin() {
     watch = GcWatch.start();
   }
 

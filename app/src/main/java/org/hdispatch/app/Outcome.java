@@ -31,6 +31,10 @@ record Outcome(
     return new Permeability(flow.permeability(), rock.voxelEdge());
   }
 
+  CollectorReport collectorReport() {
+    return new CollectorReport(collector, flow.work().stats(), flow.work().warmUpSteps());
+  }
+
   boolean percolates() {
     return flow.percolation().percolates();
   }

@@ -1,10 +1,5 @@
 package org.hdispatch.app;
 
-import java.util.Optional;
-import java.util.OptionalDouble;
-import java.util.function.Function;
-import org.hdispatch.dispatch.LoopStats;
-import org.hdispatch.gc.GcWatch;
 import org.hdispatch.porous.flow.FlowOptions;
 import org.hdispatch.porous.flow.SteadyFlow;
 import org.hdispatch.porous.pore.PoreSpace;
@@ -17,7 +12,7 @@ final class OutcomeRow {
     FlatRow row = new FlatRow();
     result(row, outcome);
     settings(row, outcome);
-    collector(row, outcome);
+    outcome.collectorReport().putInto(row);
     details(row, outcome);
     return row.putAll(outcome.rock().origin());
   }
@@ -54,32 +49,6 @@ final class OutcomeRow {
         .put("sides", Choices.word(options.sides()))
         .put("inlet", Choices.word(options.inlet()))
         .put("inlet_layers", outcome.flow().chosen().inletLayers());
-  }
-
-  private static void collector(FlatRow row, Outcome outcome) {
-    Optional<CollectorWatch.Window> after = outcome.collector().map(CollectorWatch.Figures::after);
-    Optional<CollectorWatch.Window> warmUp =
-        outcome.collector().map(CollectorWatch.Figures::warmUp);
-    row.put("collector", GcWatch.collector())
-        .put("collections", after.map(CollectorWatch.Window::collections).orElse(null))
-        .put("gc_pause_ms", millis(after, CollectorWatch.Window::pauseMillis))
-        .put("stopped_ms", millis(after, CollectorWatch.Window::stoppedMillis))
-        .put("stall_ms", millis(after, CollectorWatch.Window::stallMillis))
-        .put("bytes_per_step", bytes(outcome))
-        .put("collections_warm_up", warmUp.map(CollectorWatch.Window::collections).orElse(null))
-        .put("gc_pause_ms_warm_up", millis(warmUp, CollectorWatch.Window::pauseMillis))
-        .put("warm_up_steps", outcome.flow().work().warmUpSteps());
-  }
-
-  private static Long bytes(Outcome outcome) {
-    long bytes = outcome.flow().work().stats().bytesPerStep();
-    return bytes == LoopStats.NOT_MEASURED ? null : bytes;
-  }
-
-  private static OptionalDouble millis(
-      Optional<CollectorWatch.Window> window,
-      Function<CollectorWatch.Window, OptionalDouble> figure) {
-    return window.map(figure).orElse(OptionalDouble.empty());
   }
 
   private static void details(FlatRow row, Outcome outcome) {

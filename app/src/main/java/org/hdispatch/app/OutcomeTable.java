@@ -2,7 +2,6 @@ package org.hdispatch.app;
 
 import java.util.Locale;
 import java.util.OptionalDouble;
-import org.hdispatch.gc.GcWatch;
 import org.hdispatch.porous.darcy.Permeability;
 import org.hdispatch.porous.flow.FlowOptions;
 import org.hdispatch.porous.flow.SteadyFlow;
@@ -143,42 +142,7 @@ final class OutcomeTable {
   }
 
   private static void collector(Table table, Outcome outcome) {
-    SteadyFlow flow = outcome.flow();
     table.line("threads", outcome.threads() + ", Java " + Version.ofJava());
-    if (outcome.collector().isEmpty() || flow.work().steps() == 0) {
-      table.line("collector", GcWatch.collector());
-      return;
-    }
-    CollectorWatch.Figures figures = outcome.collector().get();
-    long bytes = flow.work().stats().bytesPerStep();
-    CollectorWatch.Window after = figures.after();
-    table
-        .line(
-            "collector",
-            GcWatch.collector()
-                + ", "
-                + after.collections()
-                + " collections, pause "
-                + millis(after.pauseMillis())
-                + ", stopped "
-                + millis(after.stoppedMillis())
-                + ", stall "
-                + millis(after.stallMillis()))
-        .line(
-            "allocated",
-            (bytes < 0 ? "unknown" : Long.toString(bytes)) + " bytes per step (worst worker)")
-        .line(
-            "warm-up apart",
-            flow.work().warmUpSteps()
-                + " steps, "
-                + figures.warmUp().collections()
-                + " collections, pause "
-                + millis(figures.warmUp().pauseMillis()));
-  }
-
-  private static String millis(OptionalDouble millis) {
-    return millis.isEmpty()
-        ? "unknown"
-        : String.format(Locale.ROOT, "%.3g ms", millis.getAsDouble());
+    outcome.collectorReport().putInto(table);
   }
 }

@@ -20,7 +20,6 @@ import org.hdispatch.porous.pore.PoreSpace;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Model.CommandSpec;
-import picocli.CommandLine.Option;
 import picocli.CommandLine.ParseResult;
 import picocli.CommandLine.Spec;
 
@@ -35,22 +34,13 @@ final class PermeabilityCommand implements Callable<Integer> {
   /** Above this the drag is no longer proportional to the velocity, and k means little. */
   private static final double DARCY_REYNOLDS = 1;
 
-  private static final int MOST_THREADS = 4096;
-
-  /** Velocity (3) and pressure of a voxel, made when the flow is steady. */
   private final Host host;
 
   @Mixin private final ImageOptions imageOptions = new ImageOptions();
   @Mixin private final SphereOptions spheres = new SphereOptions();
   @Mixin private final FlowSettings settings = new FlowSettings();
   @Mixin private final FluidOptions fluidOptions = new FluidOptions();
-
-  @Option(
-      names = "--threads",
-      paramLabel = "N",
-      description = "Threads that pull bundles, the caller's included.")
-  private int threads = Runtime.getRuntime().availableProcessors();
-
+  @Mixin private final ThreadOptions threadOptions = new ThreadOptions();
   @Mixin private final OutputOptions output = new OutputOptions();
   @Mixin private final StandardOptions standard = new StandardOptions();
   @Spec private CommandSpec spec;
@@ -64,9 +54,7 @@ final class PermeabilityCommand implements Callable<Integer> {
     checkCombinations();
     FlowOptions options = flowOptions();
     PhysicalFlow fluid = fluidOptions.fluid();
-    if (threads < 1 || threads > MOST_THREADS) {
-      throw new UsageException("threads must number 1 to " + MOST_THREADS + ": threads=" + threads);
-    }
+    threadOptions.threads();
     Rock rock =
         spheres.packing().isPresent()
             ? Rock.of(spheres, imageOptions, host)
@@ -83,13 +71,13 @@ final class PermeabilityCommand implements Callable<Integer> {
   private Outcome compute(Rock rock, FlowOptions options, PhysicalFlow fluid) {
     try (CollectorWatch collector = new CollectorWatch();
         ProgressLine progress = new ProgressLine(err(), rock.voxelEdge());
-        Dispatcher dispatcher = Dispatcher.withWorkers(threads)) {
+        Dispatcher dispatcher = Dispatcher.withWorkers(threadOptions.threads())) {
       List<FlowListener> listeners = new ArrayList<>(List.of(collector));
       if (host.terminal() && !output.quiet()) {
         listeners.add(progress);
       }
       SteadyFlow flow = LbmFlow.solve(dispatcher, rock.space(), options, new Listeners(listeners));
-      return new Outcome(rock, fluid, flow, threads, figures(collector));
+      return new Outcome(rock, fluid, flow, threadOptions.threads(), figures(collector));
     }
   }
 

@@ -13,14 +13,13 @@ import org.hdispatch.porous.flow.FlowListener;
 final class ProgressLine implements FlowListener, AutoCloseable {
   private static final double SECONDS_BETWEEN = 0.2;
 
-  private final PrintWriter err;
+  private final StatusLine status;
   private final OptionalDouble voxelEdge;
   private final TimeLeft timeLeft = new TimeLeft();
   private double nextAt;
-  private int width;
 
   ProgressLine(PrintWriter err, OptionalDouble voxelEdge) {
-    this.err = err;
+    status = new StatusLine(err);
     this.voxelEdge = voxelEdge;
   }
 
@@ -29,7 +28,7 @@ final class ProgressLine implements FlowListener, AutoCloseable {
     timeLeft.add(now);
     if (now.secondsStepping() >= nextAt) {
       nextAt = now.secondsStepping() + SECONDS_BETWEEN;
-      show(line(now));
+      status.show(line(now));
     }
   }
 
@@ -48,19 +47,10 @@ final class ProgressLine implements FlowListener, AutoCloseable {
         Double.isFinite(left) ? String.format(Locale.ROOT, "%.0f s", Math.ceil(left)) : "unknown");
   }
 
-  private void show(String line) {
-    err.print("\r" + line + " ".repeat(Math.max(0, width - line.length())));
-    err.flush();
-    width = line.length();
-  }
-
   /** Wipes the line. */
   @Override
   public void close() {
-    if (width > 0) {
-      err.print("\r" + " ".repeat(width) + "\r");
-      err.flush();
-    }
+    status.close();
   }
 
   /**
