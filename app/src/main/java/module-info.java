@@ -1,4 +1,4 @@
-/** The command line: inspect a rock image, compute its permeability. */
+/** The command line: inspect a rock image, compute its permeability, measure this machine. */
 module org.hdispatch.app {
   requires info.picocli;
   requires java.desktop;

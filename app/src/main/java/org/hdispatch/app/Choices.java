@@ -3,13 +3,16 @@ package org.hdispatch.app;
 import java.util.Arrays;
 import java.util.Iterator;
 import java.util.Locale;
+import org.hdispatch.lbm.KernelForm;
+import org.hdispatch.lbm.Storage;
+import org.hdispatch.lbm.Streaming;
 import org.hdispatch.porous.flow.CollisionModel;
 import org.hdispatch.porous.flow.Inlet;
 import org.hdispatch.porous.flow.Sides;
 import org.hdispatch.porous.image.Axis;
 import org.hdispatch.porous.pore.SpherePacking;
 
-/** The words for the values of an enumeration: its names in lower case. */
+/** The words for the values of an enumeration: its names in lower case, hyphens between words. */
 abstract class Choices implements Iterable<String> {
   private final Enum<?>[] values;
 
@@ -19,7 +22,7 @@ abstract class Choices implements Iterable<String> {
 
   /** The word for a value. */
   static String word(Enum<?> value) {
-    return value.name().toLowerCase(Locale.ROOT);
+    return value.name().toLowerCase(Locale.ROOT).replace('_', '-');
   }
 
   @Override
@@ -59,6 +62,27 @@ abstract class Choices implements Iterable<String> {
   static final class OfSpheres extends Choices {
     OfSpheres() {
       super(SpherePacking.values());
+    }
+  }
+
+  /** Words for ways of streaming. */
+  static final class OfStreaming extends Choices {
+    OfStreaming() {
+      super(Streaming.values());
+    }
+  }
+
+  /** Words for precisions. */
+  static final class OfStorage extends Choices {
+    OfStorage() {
+      super(Storage.values());
+    }
+  }
+
+  /** Words for forms of the kernel. */
+  static final class OfKernel extends Choices {
+    OfKernel() {
+      super(KernelForm.values());
     }
   }
 }

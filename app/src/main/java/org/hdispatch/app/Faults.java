@@ -109,6 +109,9 @@ final class Faults {
       }
       return choices.toString();
     }
+    if (type == BundleShape.class) {
+      return BundleShape.GRAMMAR;
+    }
     return type == Double.class || type == double.class ? "a number" : "an integer";
   }
 

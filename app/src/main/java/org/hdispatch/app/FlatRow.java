@@ -1,6 +1,7 @@
 package org.hdispatch.app;
 
 import java.util.LinkedHashMap;
+import java.util.List;
 import java.util.Map;
 import java.util.OptionalDouble;
 import java.util.StringJoiner;
@@ -28,6 +29,13 @@ final class FlatRow {
   FlatRow putAll(Map<String, ?> more) {
     more.forEach(this::put);
     return this;
+  }
+
+  /** A JSON array of such objects. */
+  static String toJson(List<FlatRow> rows) {
+    StringJoiner json = new StringJoiner(",\n", "[\n", "\n]\n");
+    rows.forEach(row -> json.add(row.toJson().stripTrailing()));
+    return json.toString();
   }
 
   /** One JSON object (RFC 8259); unknown is {@code null}. */
@@ -59,14 +67,21 @@ final class FlatRow {
 
   /** A header and one row (RFC 4180); unknown is an empty field. */
   String toCsv() {
+    return toCsv(List.of(this));
+  }
+
+  /** A header, and a row for each of these, which have the same keys. */
+  static String toCsv(List<FlatRow> rows) {
+    StringBuilder csv = new StringBuilder();
     StringJoiner header = new StringJoiner(",", "", "\n");
-    StringJoiner row = new StringJoiner(",", "", "\n");
-    values.forEach(
-        (key, value) -> {
-          header.add(key);
-          row.add(value == null ? "" : field(value.toString()));
-        });
-    return header.toString() + row;
+    rows.get(0).values.keySet().forEach(header::add);
+    csv.append(header);
+    for (FlatRow row : rows) {
+      StringJoiner line = new StringJoiner(",", "", "\n");
+      row.values.values().forEach(value -> line.add(value == null ? "" : field(value.toString())));
+      csv.append(line);
+    }
+    return csv.toString();
   }
 
   private static String field(String text) {

@@ -1,17 +1,29 @@
 package org.hdispatch.app;
 
+import java.nio.file.Path;
+import java.util.Optional;
+
 /**
  * What the process runs in, as far as the commands must know.
  *
  * @param heapBytes the most heap that this JVM will take
  * @param terminal whether somebody watches
+ * @param machineFile where findings about this machine are kept, if anywhere
  */
-record Host(long heapBytes, boolean terminal) {
+record Host(long heapBytes, boolean terminal, Optional<Path> machineFile) {
   /** What the JVM and the program take before any image, bytes. */
   private static final long BASE = 32L << 20;
 
+  /** A host that keeps nothing. */
+  Host(long heapBytes, boolean terminal) {
+    this(heapBytes, terminal, Optional.empty());
+  }
+
   static Host ofThisProcess() {
-    return new Host(Runtime.getRuntime().maxMemory(), System.console() != null);
+    return new Host(
+        Runtime.getRuntime().maxMemory(),
+        System.console() != null,
+        MachineFile.usualPlace(System.getenv(), System.getProperty("user.home")));
   }
 
   /**
@@ -25,5 +37,12 @@ record Host(long heapBytes, boolean terminal) {
     if (bytes + BASE > heapBytes) {
       throw new HeapException(what, bytes + BASE, heapBytes);
     }
+  }
+
+  /**
+   * Heap that is left beside something that takes this much, bytes; negative if it does not fit.
+   */
+  double heapBeside(double bytes) {
+    return heapBytes - BASE - bytes;
   }
 }

@@ -1,15 +1,16 @@
 package org.hdispatch.app;
 
 import java.nio.file.Path;
+import java.util.List;
 import java.util.Optional;
 import picocli.CommandLine.Option;
 
 /** Where the result goes, and in which form. */
 final class OutputOptions {
-  @Option(names = "--json", description = "Print the result as one flat JSON object.")
+  @Option(names = "--json", description = "Print the result as flat JSON.")
   private boolean json;
 
-  @Option(names = "--csv", description = "Print the result as a CSV header and one row.")
+  @Option(names = "--csv", description = "Print the result as CSV with a header.")
   private boolean csv;
 
   @Option(
@@ -43,5 +44,10 @@ final class OutputOptions {
   /** The result in the form asked for. */
   String form(FlatRow row, String text) {
     return json ? row.toJson() : csv ? row.toCsv() : text;
+  }
+
+  /** Several results in the form asked for. */
+  String form(List<FlatRow> rows, String text) {
+    return json ? FlatRow.toJson(rows) : csv ? FlatRow.toCsv(rows) : text;
   }
 }

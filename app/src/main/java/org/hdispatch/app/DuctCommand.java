@@ -1,0 +1,206 @@
+package org.hdispatch.app;
+
+import java.io.PrintWriter;
+import java.io.UncheckedIOException;
+import java.util.List;
+import java.util.Optional;
+import java.util.concurrent.Callable;
+import org.hdispatch.dispatch.Dispatcher;
+import org.hdispatch.lbm.BundleSize;
+import org.hdispatch.lbm.duct.BandwidthProbe;
+import org.hdispatch.lbm.duct.Duct;
+import org.hdispatch.lbm.duct.DuctFigures;
+import org.hdispatch.lbm.duct.DuctRun;
+import org.hdispatch.porous.io.ImageFileException;
+import picocli.CommandLine.Command;
+import picocli.CommandLine.Mixin;
+import picocli.CommandLine.Model.CommandSpec;
+import picocli.CommandLine.Spec;
+
+/** {@code hdispatch duct}: how fast this machine steps a square duct, and with which bundle. */
+@Command(
+    name = "duct",
+    description = {
+      "Measure how fast a square duct is stepped, beside the bandwidth of the memory.",
+      "Without --size: sweep over bundles and threads (Leonardi et al. 2011, figure 4), find the"
+          + " best bundle for this machine, and store it as the default of --bundle."
+    })
+final class DuctCommand implements Callable<Integer> {
+  private final Host host;
+
+  @Mixin private final DuctOptions options = new DuctOptions();
+  @Mixin private final ThreadOptions threadOptions = new ThreadOptions();
+  @Mixin private final OutputOptions output = new OutputOptions();
+  @Mixin private final StandardOptions standard = new StandardOptions();
+  @Spec private CommandSpec spec;
+
+  DuctCommand(Host host) {
+    this.host = host;
+  }
+
+  @Override
+  public Integer call() throws ImageFileException {
+    output.folder();
+    threadOptions.threads();
+    checkCombinations();
+    requireKernel();
+    if (output.folder().isEmpty()) {
+      measure(Optional.empty());
+    } else {
+      try (OutputFolder folder = OutputFolder.open(output.folder().get())) {
+        measure(Optional.of(folder));
+      }
+    }
+    return ExitCode.DONE.code();
+  }
+
+  private void measure(Optional<OutputFolder> folder) throws ImageFileException {
+    if (options.isSweep()) {
+      sweep(folder);
+    } else {
+      one(folder);
+    }
+  }
+
+  /** A bundle, and who said so. */
+  private record Choice(BundleShape shape, String origin) {}
+
+  private Choice bundle(int side) {
+    if (!options.bundles().isEmpty()) {
+      return new Choice(options.bundles().get(0), "given");
+    }
+    MachineFile machine = machineFile();
+    return machine
+        .bundle(options.settings(), side)
+        .map(shape -> new Choice(shape, "stored in " + machine.path().orElseThrow()))
+        .orElse(new Choice(BundleShape.of(BundleSize.DEFAULT), "default"));
+  }
+
+  private void one(Optional<OutputFolder> folder) throws ImageFileException {
+    BundleShape any = BundleShape.parse("1"); // the size is checked before the file is read
+    UsageException.orRefused(() -> options.settings().duct(options.size(), any));
+    Choice bundle = bundle(options.size());
+    Duct duct =
+        UsageException.orRefused(() -> options.settings().duct(options.size(), bundle.shape()));
+    DuctRun run = options.run(duct);
+    BandwidthProbe probe = new BandwidthProbe(DuctHeap.require(host, duct));
+    try (CollectorWatch collector = new CollectorWatch()) {
+      DuctFigures figures = measure(run, duct, probe, collector);
+      var report = new CollectorReport(figures(collector), figures.stats(), run.warmUpSteps());
+      FlatRow row = DuctReport.row(figures).put("probe_bytes", probe.bytes());
+      report.putInto(row.put("bundle_origin", bundle.origin()));
+      DuctReport.host(row);
+      print(output.form(row, DuctReport.text(figures, bundle.origin(), probe, report)));
+      if (folder.isPresent()) {
+        folder.get().write("duct.json", row.toJson());
+      }
+    }
+  }
+
+  private DuctFigures measure(
+      DuctRun run, Duct duct, BandwidthProbe probe, CollectorWatch collector) {
+    try (StatusLine status = new StatusLine(err());
+        Dispatcher dispatcher = Dispatcher.withWorkers(threadOptions.threads())) {
+      StatusLine shown = isWatched() ? status : null;
+      return run.measure(
+          dispatcher,
+          duct,
+          probe,
+          new DuctListener(collector, shown, "duct " + duct.side() + "^3"));
+    }
+  }
+
+  private void sweep(Optional<OutputFolder> folder) throws ImageFileException {
+    SweepResult result;
+    try (StatusLine status = new StatusLine(err())) {
+      SweepProgress progress = new SweepProgress(status);
+      DuctSweep.Listener shown = isWatched() ? progress::show : DuctSweep.Listener.NONE;
+      result = new DuctSweep(host, options, threadOptions.threads(), this::warn).run(shown);
+    }
+    List<FlatRow> rows = SweepReport.rows(result);
+    print(output.form(rows, SweepReport.text(result, store(result))));
+    if (folder.isPresent()) {
+      folder.get().write("duct.csv", FlatRow.toCsv(rows));
+      folder.get().write("duct.json", FlatRow.toJson(rows));
+      folder.get().write("duct.svg", SweepPlot.of(result));
+    }
+  }
+
+  /** Stores what is recommended, if that is wanted, and says what became of it. */
+  private String store(SweepResult result) {
+    if (!options.store()) {
+      return options.bundles().isEmpty() ? "no (--no-store)" : "no (--bundle was given)";
+    }
+    MachineFile machine = machineFile();
+    return result
+        .recommended()
+        .map(best -> BundleShape.parse(best.label()))
+        .filter(best -> machine.keepBundle(options.settings(), best))
+        .map(best -> "in " + machine.path().orElseThrow() + ", the default of --bundle")
+        .orElse("no");
+  }
+
+  private void print(String text) throws ImageFileException {
+    PrintWriter out = spec.commandLine().getOut();
+    out.print(text);
+    if (out.checkError()) {
+      throw new ImageFileException("standard output must be writable");
+    }
+  }
+
+  private Optional<CollectorWatch.Figures> figures(CollectorWatch collector) {
+    try {
+      return Optional.of(collector.figures());
+    } catch (UncheckedIOException e) { // a pity, but the speed is worth more
+      warn("figures of the collector must be readable: cause=" + e.getCause());
+      return Optional.empty();
+    }
+  }
+
+  private MachineFile machineFile() {
+    return new MachineFile(host.machineFile(), this::warn);
+  }
+
+  private boolean isWatched() {
+    return host.terminal() && !output.quiet();
+  }
+
+  private PrintWriter err() {
+    return spec.commandLine().getErr();
+  }
+
+  private void warn(String line) {
+    if (!output.quiet()) {
+      err().println("hdispatch: warning: " + line);
+    }
+  }
+
+  private void checkCombinations() {
+    if (options.isSweep()) {
+      refuse("--steady", "--size");
+      return;
+    }
+    refuse("--sizes", "a sweep, not --size");
+    refuse("--rounds", "a sweep, not --size");
+    refuse("--no-store", "a sweep, not --size");
+    if (options.bundles().size() > 1) {
+      throw new UsageException(
+          "--bundle must come once with --size: --bundle=" + options.bundles());
+    }
+  }
+
+  private void refuse(String option, String belongsTo) {
+    if (spec.commandLine().getParseResult().hasMatchedOption(option)) {
+      throw new UsageException(option + " must come with " + belongsTo);
+    }
+  }
+
+  /** Refuses a form of the kernel that this Java cannot run, before anything is made. */
+  private void requireKernel() {
+    try {
+      options.settings().duct(1, BundleShape.parse("1")).scheme();
+    } catch (IllegalStateException e) {
+      throw new UsageException(e.getMessage());
+    }
+  }
+}

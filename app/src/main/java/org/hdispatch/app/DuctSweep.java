@@ -1,0 +1,216 @@
+package org.hdispatch.app;
+
+import java.util.ArrayList;
+import java.util.Comparator;
+import java.util.List;
+import java.util.function.Consumer;
+import java.util.function.DoubleConsumer;
+import org.hdispatch.dispatch.Dispatcher;
+import org.hdispatch.lbm.BundleSize;
+import org.hdispatch.lbm.duct.BandwidthProbe;
+import org.hdispatch.lbm.duct.Duct;
+import org.hdispatch.lbm.duct.DuctFigures;
+import org.hdispatch.lbm.duct.DuctRun;
+
+/**
+ * Ducts of several sizes, each with several bundles and numbers of threads (Leonardi et al. 2011,
+ * figure 4), and one block of nodes a thread as a control: what bundles cost.
+ *
+ * <p>All numbers of threads of a bundle are run one after the other, so that a speed-up compares
+ * neighbours in time. What does not fit into the heap is left out, and said.
+ */
+final class DuctSweep {
+  /** The sides of figure 4. */
+  private static final int[] CUBES = {10, 16, 20, 25, 32, 40, 50};
+
+  private static final String[] LONG = {
+    "32,8,8", "64,16,16", "all,8,8", "all,10,10", "all,16,16", "all,20,20", "all,all,10"
+  };
+
+  private final Host host;
+  private final DuctOptions options;
+  private final Consumer<String> warn;
+  private final int[] threads;
+
+  DuctSweep(Host host, DuctOptions options, int mostThreads, Consumer<String> warn) {
+    this.host = host;
+    this.options = options;
+    this.warn = warn;
+    threads = threadsUpTo(mostThreads);
+  }
+
+  /**
+   * One run of the sweep.
+   *
+   * @param duct size and bundle
+   * @param label the bundle as it was asked for
+   * @param isControl whether it is one block a thread
+   * @param threads workers
+   */
+  record Case(Duct duct, String label, boolean isControl, int threads) {
+    private double work() {
+      return (double) duct.nodes() / threads;
+    }
+  }
+
+  /** Hears how a sweep goes on. */
+  @FunctionalInterface
+  interface Listener {
+    /** Hears nothing. */
+    Listener NONE = (one, number, count, shareDone) -> {};
+
+    /**
+     * Some steps have been done.
+     *
+     * @param one the run that is under way
+     * @param number its number, from 1
+     * @param count how many runs there are
+     * @param shareDone how much of the work is done, 0 to 1
+     */
+    void progressed(Case one, int number, int count, double shareDone);
+  }
+
+  /** Some numbers of threads from 1 to the most: 1, 2, 3, 4, 6, 8, 12, 16, 24 ... */
+  static int[] threadsUpTo(int most) {
+    List<Integer> counts = new ArrayList<>();
+    for (int power = 1; power < most; power *= 2) {
+      counts.add(power);
+      if (power > 1 && power / 2 * 3 < most) {
+        counts.add(power / 2 * 3);
+      }
+    }
+    counts.add(most);
+    return counts.stream().mapToInt(Integer::intValue).distinct().toArray();
+  }
+
+  /**
+   * Runs it.
+   *
+   * @throws HeapException if nothing fits into the heap
+   */
+  SweepResult run(Listener listener) {
+    List<Case> cases = new ArrayList<>();
+    List<HeapException> tooLarge = new ArrayList<>();
+    for (int side : options.sizes()) {
+      try {
+        DuctHeap.require(host, duct(side, BundleShape.of(BundleSize.DEFAULT)));
+        cases.addAll(cases(side));
+      } catch (HeapException e) {
+        tooLarge.add(e);
+      }
+    }
+    if (cases.isEmpty()) {
+      throw tooLarge.get(0);
+    }
+    tooLarge.forEach(e -> warn.accept("a size is left out: " + e.getMessage()));
+    BandwidthProbe probe = new BandwidthProbe(probeBytes(cases));
+    List<SweepResult.Point> points = run(cases, probe, listener);
+    return new SweepResult(options.settings(), probe.bytes(), points);
+  }
+
+  private List<Case> cases(int side) {
+    List<Case> cases = new ArrayList<>();
+    for (BundleShape shape : shapes()) {
+      Duct duct = UsageException.orRefused(() -> duct(side, shape));
+      for (int count : threads) {
+        cases.add(new Case(duct, shape.toString(), false, count));
+      }
+    }
+    for (int count : threads) {
+      BundleShape block = new BundleShape(side, side, (side + count - 1) / count);
+      try {
+        cases.add(new Case(duct(side, block), SweepResult.CONTROL, true, count));
+      } catch (IllegalArgumentException e) {
+        warn.accept("one block a thread is left out: " + e.getMessage());
+      }
+    }
+    return cases;
+  }
+
+  private List<BundleShape> shapes() {
+    if (!options.bundles().isEmpty()) {
+      return options.bundles().stream().distinct().toList();
+    }
+    List<BundleShape> shapes = new ArrayList<>();
+    for (int side : CUBES) {
+      shapes.add(new BundleShape(side, side, side));
+    }
+    for (String shape : LONG) {
+      shapes.add(BundleShape.parse(shape));
+    }
+    return shapes;
+  }
+
+  private Duct duct(int side, BundleShape shape) {
+    return options.settings().duct(side, shape);
+  }
+
+  private List<SweepResult.Point> run(List<Case> cases, BandwidthProbe probe, Listener listener) {
+    int rounds = options.rounds();
+    int count = cases.size();
+    double all = rounds * cases.stream().mapToDouble(Case::work).sum();
+    double done = 0;
+    List<List<DuctFigures>> figures = new ArrayList<>();
+    cases.forEach(each -> figures.add(new ArrayList<>()));
+    for (int n = 0; n < rounds * count; n++) {
+      Case one = cases.get(n % count);
+      List<DuctFigures> ofCase = figures.get(n % count);
+      if (n < count || !ofCase.isEmpty()) { // what did not fit the first time is left out
+        int number = n + 1;
+        double before = done;
+        measure(
+            one,
+            probe,
+            share ->
+                listener.progressed(
+                    one, number, rounds * count, (before + one.work() * share) / all),
+            ofCase);
+      }
+      done += one.work();
+    }
+    List<SweepResult.Point> points = new ArrayList<>();
+    for (int n = 0; n < count; n++) {
+      if (!figures.get(n).isEmpty()) {
+        points.add(new SweepResult.Point(cases.get(n), middle(figures.get(n))));
+      }
+    }
+    return points;
+  }
+
+  /** Measures one case, if it fits into the heap. */
+  private void measure(
+      Case one, BandwidthProbe probe, DoubleConsumer shareDone, List<DuctFigures> figures) {
+    DuctRun.Listener steps =
+        new DuctRun.Listener() {
+          @Override
+          public void progressed(long step, long lastStep) {
+            shareDone.accept((double) step / lastStep);
+          }
+        };
+    try (Dispatcher dispatcher = Dispatcher.withWorkers(one.threads())) {
+      DuctHeap.require(host, one.duct());
+      figures.add(options.run(one.duct()).measure(dispatcher, one.duct(), probe, steps));
+    } catch (HeapException | OutOfMemoryError e) { // the estimate knows no regions
+      warn.accept(
+          one.label() + " is left out at size " + one.duct().side() + ": " + e.getMessage());
+    }
+  }
+
+  /** The one of middle speed; of an even number, the slower of the two in the middle. */
+  private static DuctFigures middle(List<DuctFigures> figures) {
+    return figures.stream()
+        .sorted(Comparator.comparingDouble(DuctFigures::mlupsMedian))
+        .toList()
+        .get((figures.size() - 1) / 2);
+  }
+
+  private long probeBytes(List<Case> cases) {
+    long least = Long.MAX_VALUE;
+    for (Case each : cases) {
+      if (DuctHeap.fits(host, each.duct())) {
+        least = Math.min(least, DuctHeap.require(host, each.duct()));
+      }
+    }
+    return least;
+  }
+}

@@ -1,0 +1,94 @@
+package org.hdispatch.app;
+
+import java.util.Locale;
+
+/** Writes the few elements of SVG that plots are made of. */
+final class SvgWriter {
+  private final StringBuilder svg = new StringBuilder();
+
+  /**
+   * Begins a picture.
+   *
+   * @param width pixels
+   * @param height pixels
+   * @param title what it shows, for those who cannot see it
+   */
+  SvgWriter(int width, int height, String title) {
+    svg.append(
+        String.format(
+            Locale.ROOT,
+            "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 %d %d\" width=\"%1$d\""
+                + " height=\"%2$d\" font-family=\"sans-serif\" font-size=\"13\">%n"
+                + "<title>%s</title>%n<rect width=\"%1$d\" height=\"%2$d\" fill=\"white\"/>%n",
+            width,
+            height,
+            escaped(title)));
+  }
+
+  /** Where a text has its given place. */
+  enum Anchor {
+    START,
+    MIDDLE,
+    END
+  }
+
+  /** A straight line; {@code dashes} as SVG has them, empty for none. */
+  void line(double x1, double y1, double x2, double y2, String colour, String dashes) {
+    svg.append(
+        String.format(
+            Locale.ROOT,
+            "<line x1=\"%.1f\" y1=\"%.1f\" x2=\"%.1f\" y2=\"%.1f\" stroke=\"%s\"%s/>%n",
+            x1,
+            y1,
+            x2,
+            y2,
+            colour,
+            dashes.isEmpty() ? "" : " stroke-dasharray=\"" + dashes + "\""));
+  }
+
+  /** What marks a point. */
+  enum Mark {
+    CIRCLE,
+    SQUARE,
+    TRIANGLE
+  }
+
+  /** A mark, or its outline if it is not filled. */
+  void mark(double x, double y, Mark mark, String colour, boolean filled) {
+    String shape =
+        switch (mark) {
+          case CIRCLE -> "<circle cx=\"%.1f\" cy=\"%.1f\" r=\"4\"";
+          case SQUARE -> "<path d=\"M%.1f,%.1fm-4,-4h8v8h-8z\"";
+          case TRIANGLE -> "<path d=\"M%.1f,%.1fm-5,4h10l-5,-9z\"";
+        };
+    svg.append(String.format(Locale.ROOT, shape, x, y))
+        .append(" fill=\"" + (filled ? colour : "white") + "\" stroke=\"" + colour + "\"")
+        .append(" stroke-width=\"2\"/>")
+        .append(System.lineSeparator());
+  }
+
+  /** A text, turned by some degrees. */
+  void text(double x, double y, String text, Anchor anchor, int degrees) {
+    svg.append(
+        String.format(
+            Locale.ROOT,
+            "<text x=\"%.1f\" y=\"%.1f\" text-anchor=\"%s\"%s>%s</text>%n",
+            x,
+            y,
+            Choices.word(anchor),
+            degrees == 0
+                ? ""
+                : String.format(Locale.ROOT, " transform=\"rotate(%d %.1f %.1f)\"", degrees, x, y),
+            escaped(text)));
+  }
+
+  private static String escaped(String text) {
+    return text.replace("&", "&amp;").replace("<", "&lt;").replace(">", "&gt;");
+  }
+
+  /** The whole picture. */
+  @Override
+  public String toString() {
+    return svg + "</svg>" + System.lineSeparator();
+  }
+}

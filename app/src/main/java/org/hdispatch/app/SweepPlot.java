@@ -1,0 +1,185 @@
+package org.hdispatch.app;
+
+import java.util.List;
+import java.util.OptionalDouble;
+import java.util.function.Function;
+import org.hdispatch.app.SvgWriter.Anchor;
+import org.hdispatch.app.SvgWriter.Mark;
+
+/**
+ * A sweep as a picture after figure 4 of Leonardi et al. 2011: above, the speed of each bundle;
+ * below, the efficiency. A colour for each number of threads, a mark for each size; cubes are
+ * joined, other shapes and the control (an outline) stand for themselves.
+ */
+final class SweepPlot {
+  /** Colours that colour-blind people tell apart (Okabe, Ito 2008). */
+  private static final String[] COLOURS = {
+    "#0072b2", "#d55e00", "#009e73", "#cc79a7", "#e69f00", "#56b4e9", "#000000"
+  };
+
+  private static final String[] DASHES = {"", "7 4", "2 3"};
+  private static final String GREY = "#888888";
+  private static final String PALE = "#dddddd";
+
+  private static final int LEFT = 70;
+  private static final int RIGHT = 190;
+  private static final int PANEL_WIDTH = 620;
+  private static final int PANEL_HEIGHT = 260;
+  private static final int TOP = 50;
+  private static final int BETWEEN = 40;
+  private static final int BOTTOM = 90;
+  private static final int LEGEND_LINE = 20;
+  private static final int TICKS = 5;
+
+  private final SweepResult result;
+  private final List<String> labels;
+  private final SvgWriter svg;
+
+  private SweepPlot(SweepResult result) {
+    this.result = result;
+    labels = result.labels();
+    svg =
+        new SvgWriter(
+            LEFT + PANEL_WIDTH + RIGHT,
+            TOP + 2 * PANEL_HEIGHT + BETWEEN + BOTTOM,
+            "Speed and efficiency of a square duct by bundle");
+  }
+
+  /** The picture as SVG. */
+  static String of(SweepResult result) {
+    return new SweepPlot(result).draw();
+  }
+
+  private String draw() {
+    svg.text(LEFT, TOP - 20, "Square duct, " + result.settings(), Anchor.START, 0);
+    Panel speed = new Panel(TOP, "MLUPS", p -> OptionalDouble.of(p.mlups()));
+    speed.axes();
+    speed.series();
+    Panel efficiency =
+        new Panel(
+            TOP + PANEL_HEIGHT + BETWEEN,
+            "efficiency, %",
+            p -> p.threads() == 1 ? OptionalDouble.empty() : percent(result.efficiency(p)));
+    efficiency.axes();
+    efficiency.series();
+    bundleLabels();
+    legend();
+    return svg.toString();
+  }
+
+  private static OptionalDouble percent(OptionalDouble share) {
+    return share.isPresent() ? OptionalDouble.of(100 * share.getAsDouble()) : share;
+  }
+
+  private double x(String label) {
+    return LEFT + (labels.indexOf(label) + 0.5) * PANEL_WIDTH / labels.size();
+  }
+
+  private String colour(int threads) {
+    return COLOURS[result.threads().indexOf(threads) % COLOURS.length];
+  }
+
+  private String dashes(int side) {
+    return DASHES[result.sides().indexOf(side) % DASHES.length];
+  }
+
+  private Mark mark(int side) {
+    return Mark.values()[result.sides().indexOf(side) % Mark.values().length];
+  }
+
+  private void bundleLabels() {
+    int bottom = TOP + 2 * PANEL_HEIGHT + BETWEEN;
+    for (String label : labels) {
+      svg.text(x(label) + 4, bottom + 18, label, Anchor.END, -40);
+    }
+    svg.text(LEFT + PANEL_WIDTH, bottom + BOTTOM - 8, "bundle, nodes", Anchor.END, 0);
+  }
+
+  private void legend() {
+    int x = LEFT + PANEL_WIDTH + 20;
+    int y = TOP + 10;
+    for (int side : result.sides()) {
+      for (int threads : result.threads()) {
+        svg.line(x, y, x + 30, y, colour(threads), dashes(side));
+        svg.mark(x + 15, y, mark(side), colour(threads), true);
+        String word = threads == 1 ? " thread" : " threads";
+        svg.text(x + 40, y + 4, side + "\u00b3, " + threads + word, Anchor.START, 0);
+        y += LEGEND_LINE;
+      }
+    }
+    svg.mark(x + 15, y, Mark.CIRCLE, GREY, false);
+    svg.text(x + 40, y + 4, "one block a thread", Anchor.START, 0);
+  }
+
+  /** The distance of ticks that are easy to read: 1, 2 or 5 times a power of ten. */
+  static double tickDistance(double highest) {
+    double power = Math.pow(10, Math.floor(Math.log10(highest / TICKS)));
+    for (double factor : new double[] {1, 2, 5}) {
+      if (highest <= TICKS * factor * power) {
+        return factor * power;
+      }
+    }
+    return 10 * power;
+  }
+
+  /** One of the two coordinate systems. */
+  private final class Panel {
+    private final int top;
+    private final String title;
+    private final Function<SweepResult.Point, OptionalDouble> value;
+    private final double tick;
+    private final double highest;
+
+    Panel(int top, String title, Function<SweepResult.Point, OptionalDouble> value) {
+      this.top = top;
+      this.title = title;
+      this.value = value;
+      double most =
+          result.points().stream().map(value).mapToDouble(v -> v.orElse(0)).max().orElse(0);
+      tick = tickDistance(most > 0 ? most : 1);
+      highest = tick * Math.ceil(most > 0 ? most / tick : 1);
+    }
+
+    private double y(double of) {
+      return top + PANEL_HEIGHT * (1 - of / highest);
+    }
+
+    void axes() {
+      for (int n = 0; n * tick <= highest * (1 + 1e-9); n++) {
+        double y = y(n * tick);
+        svg.line(LEFT, y, LEFT + PANEL_WIDTH, y, n == 0 ? GREY : PALE, "");
+        svg.text(LEFT - 8, y + 4, Numbers.significant(n * tick, 3), Anchor.END, 0);
+      }
+      svg.line(LEFT, top, LEFT, top + PANEL_HEIGHT, GREY, "");
+      svg.text(LEFT - 48, top + PANEL_HEIGHT / 2.0, title, Anchor.MIDDLE, -90);
+      for (String label : labels) {
+        svg.line(x(label), y(0), x(label), y(0) + 5, GREY, "");
+      }
+    }
+
+    void series() {
+      for (int side : result.sides()) {
+        for (int threads : result.threads()) {
+          series(side, threads);
+        }
+      }
+    }
+
+    private void series(int side, int threads) {
+      SweepResult.Point last = null; // the cube before
+      for (String label : labels) {
+        SweepResult.Point point = result.at(side, label, threads).orElse(null);
+        if (point != null && value.apply(point).isPresent()) {
+          double y = y(value.apply(point).getAsDouble());
+          boolean cube = !point.what().isControl() && !label.contains(",");
+          if (cube && last != null) {
+            double from = y(value.apply(last).getAsDouble());
+            svg.line(x(last.label()), from, x(label), y, colour(threads), dashes(side));
+          }
+          svg.mark(x(label), y, mark(side), colour(threads), !point.what().isControl());
+          last = cube ? point : last;
+        }
+      }
+    }
+  }
+}

@@ -1,0 +1,168 @@
+package org.hdispatch.app;
+
+import java.util.List;
+import java.util.Locale;
+import java.util.Optional;
+import java.util.OptionalDouble;
+
+/** A sweep for programs (the keys stay as they are) and for people. */
+final class SweepReport {
+  private SweepReport() {}
+
+  /** One row a run. */
+  static List<FlatRow> rows(SweepResult result) {
+    return result.points().stream().map(point -> row(result, point)).toList();
+  }
+
+  private static FlatRow row(SweepResult result, SweepResult.Point point) {
+    FlatRow row =
+        DuctReport.row(point.figures())
+            .put("probe_bytes", result.probeBytes())
+            .put("bytes_per_step", CollectorReport.bytes(point.figures().stats()))
+            .put("warm_up_steps", point.figures().run().warmUpSteps())
+            .put("shape", point.label())
+            .put("control", point.what().isControl())
+            .put("speed_up", result.speedUp(point))
+            .put("efficiency", result.efficiency(point))
+            .put("bandwidth_speed_up", result.bandwidthSpeedUp(point.threads()))
+            .put("efficiency_of_ideal", result.efficiencyOfIdeal(point))
+            .put("recommended", result.recommended().filter(point::equals).isPresent());
+    return DuctReport.host(row);
+  }
+
+  /**
+   * The runs as a table, and what follows from them.
+   *
+   * @param stored what became of the recommendation
+   */
+  static String text(SweepResult result, String stored) {
+    Columns columns =
+        new Columns()
+            .line(
+                "bundle",
+                "size",
+                "threads",
+                "MLUPS",
+                "best",
+                "GB/s",
+                "of GB/s",
+                "bytes/step",
+                "speed-up",
+                "efficiency",
+                "of ideal");
+    for (String label : result.labels()) {
+      for (SweepResult.Point point : result.points()) {
+        if (point.label().equals(label)) {
+          columns.line(cells(result, point));
+        }
+      }
+    }
+    Table table = new Table();
+    table
+        .line("stepped", result.settings() + ", Java " + Version.ofJava())
+        .line(
+            "bandwidth",
+            "read and written in place beside each run, over "
+                + (result.probeBytes() >> 20)
+                + " MiB");
+    result.recommended().ifPresent(best -> recommend(table, result, best, stored));
+    return columns + System.lineSeparator() + table;
+  }
+
+  private static String[] cells(SweepResult result, SweepResult.Point point) {
+    var figures = point.figures();
+    Long bytes = CollectorReport.bytes(figures.stats());
+    return new String[] {
+      point.label(),
+      Integer.toString(point.side()),
+      Integer.toString(point.threads()),
+      fixed(figures.mlupsMedian()),
+      fixed(figures.mlupsBest()),
+      fixed(figures.gigabytesPerSecond().median()),
+      percent(OptionalDouble.of(figures.bandwidthFraction())),
+      bytes == null ? "unknown" : bytes.toString(),
+      times(result.speedUp(point)),
+      percent(result.efficiency(point)),
+      percent(result.efficiencyOfIdeal(point))
+    };
+  }
+
+  private static void recommend(
+      Table table, SweepResult result, SweepResult.Point best, String stored) {
+    table.line(
+        "recommended",
+        String.format(
+            Locale.ROOT,
+            "%s: %.1f MLUPS with %d threads at %d^3, %s of the bandwidth",
+            best.label(),
+            best.mlups(),
+            best.threads(),
+            best.side(),
+            percent(OptionalDouble.of(best.figures().bandwidthFraction()))));
+    result
+        .at(best.side(), SweepResult.CONTROL, best.threads())
+        .ifPresent(
+            block ->
+                table.line(
+                    "cost of bundles",
+                    cost(best.mlups() / block.mlups())
+                        + " one block a thread ("
+                        + fixed(block.mlups())
+                        + " MLUPS)"));
+    if (best.threads() > 1 && result.speedUp(best).isPresent()) {
+      table.line(
+          "speed-up",
+          times(result.speedUp(best))
+              + ", efficiency "
+              + percent(result.efficiency(best))
+              + "; "
+              + percent(result.efficiencyOfIdeal(best))
+              + " of the speed-up of the bandwidth itself, "
+              + times(result.bandwidthSpeedUp(best.threads())));
+    }
+    for (int side : result.sides()) {
+      if (side != best.side()) {
+        transfer(table, result, best, side);
+      }
+    }
+    table.line("stored", stored);
+  }
+
+  private static String cost(double ratio) {
+    return ratio < 1
+        ? Numbers.percent(1 - ratio) + " against"
+        : "none, " + Numbers.percent(ratio - 1) + " faster than";
+  }
+
+  /** Whether what is best at one size is good at another (the claim of the paper). */
+  private static void transfer(Table table, SweepResult result, SweepResult.Point best, int side) {
+    Optional<SweepResult.Point> there = result.at(side, best.label(), best.threads());
+    Optional<SweepResult.Point> bestThere = result.best(side);
+    if (there.isPresent() && bestThere.isPresent()) {
+      table.line(
+          "at " + side + "^3",
+          fixed(there.get().mlups())
+              + " MLUPS, "
+              + (there.equals(bestThere)
+                  ? "the best there too"
+                  : Numbers.percent(1 - there.get().mlups() / bestThere.get().mlups())
+                      + " behind the best there ("
+                      + bestThere.get().label()
+                      + ")"));
+    }
+  }
+
+  private static String fixed(double value) {
+    return String.format(Locale.ROOT, "%.1f", value);
+  }
+
+  private static String times(OptionalDouble value) {
+    return value.isPresent() ? String.format(Locale.ROOT, "%.2f", value.getAsDouble()) : "-";
+  }
+
+  private static String percent(OptionalDouble share) {
+    return share.isPresent()
+        ? String.format(Locale.ROOT, "%.1f %%", 100 * share.getAsDouble())
+        : "-";
+  }
+}

@@ -1,0 +1,131 @@
+package org.hdispatch.app;
+
+import static org.junit.jupiter.api.Assertions.assertArrayEquals;
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertThrows;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import java.util.List;
+import java.util.OptionalDouble;
+import org.hdispatch.dispatch.LoopStats;
+import org.hdispatch.lbm.KernelForm;
+import org.hdispatch.lbm.Storage;
+import org.hdispatch.lbm.Streaming;
+import org.hdispatch.lbm.VelocitySet;
+import org.hdispatch.lbm.duct.Duct;
+import org.hdispatch.lbm.duct.DuctFigures;
+import org.hdispatch.lbm.duct.DuctRun;
+import org.hdispatch.lbm.duct.Spread;
+import org.junit.jupiter.api.Test;
+
+class SweepResultTest {
+  private static final DuctSettings SETTINGS =
+      new DuctSettings(VelocitySet.D3Q15, Streaming.IN_PLACE, Storage.DOUBLE, KernelForm.LOOPS);
+
+  private static SweepResult.Point point(
+      int side, String label, int threads, double mlups, double bandwidth, double k) {
+    boolean control = label.equals(SweepResult.CONTROL);
+    Duct duct = SETTINGS.duct(side, BundleShape.parse(control ? "all" : label));
+    double seconds = duct.nodes() / mlups * 1e-6;
+    return new SweepResult.Point(
+        new DuctSweep.Case(duct, label, control, threads),
+        new DuctFigures(
+            duct,
+            threads,
+            new DuctRun(24, 48, DuctRun.Ending.MEASURED),
+            new Spread(seconds, seconds, seconds),
+            new Spread(bandwidth, bandwidth, bandwidth),
+            1,
+            0,
+            new LoopStats(0, 0, List.of()),
+            72,
+            k));
+  }
+
+  private static SweepResult.Point point(
+      int side, String label, int threads, double mlups, double bandwidth) {
+    return point(side, label, threads, mlups, bandwidth, 0.01);
+  }
+
+  private static SweepResult sweep() {
+    return new SweepResult(
+        SETTINGS,
+        1 << 20,
+        List.of(
+            point(20, "10", 1, 50, 28),
+            point(20, "10", 2, 90, 50),
+            point(20, "all,8,8", 1, 60, 30),
+            point(20, "all,8,8", 2, 100, 54),
+            point(20, SweepResult.CONTROL, 1, 70, 32),
+            point(20, SweepResult.CONTROL, 2, 120, 58),
+            point(30, "10", 2, 110, 54),
+            point(30, "all,8,8", 2, 99, 54)));
+  }
+
+  @Test
+  void recommendsTheFastestBundleOfTheFirstSizeWithMostThreads() {
+    SweepResult.Point best = sweep().recommended().orElseThrow();
+    assertEquals("all,8,8", best.label()); // not the control
+    assertEquals(20, best.side());
+    assertEquals(2, best.threads());
+    assertEquals("10", sweep().best(30).orElseThrow().label());
+  }
+
+  @Test
+  void speedUpIsAgainstTheSameBundleOnOneThread() {
+    SweepResult sweep = sweep();
+    SweepResult.Point best = sweep.recommended().orElseThrow();
+    assertEquals(100.0 / 60, sweep.speedUp(best).getAsDouble(), 1e-12);
+    assertEquals(100.0 / 120, sweep.efficiency(best).getAsDouble(), 1e-12);
+    assertEquals(OptionalDouble.empty(), sweep.speedUp(sweep.best(30).orElseThrow()));
+  }
+
+  @Test
+  void idealIsTheSpeedUpOfTheBandwidthOverAllRuns() {
+    SweepResult sweep = sweep();
+    // medians of 28, 30, 32 and of 50, 54, 54, 54, 58
+    assertEquals(54.0 / 30, sweep.bandwidthSpeedUp(2).getAsDouble(), 1e-12);
+    SweepResult.Point best = sweep.recommended().orElseThrow();
+    assertEquals(100.0 / 60 / (54.0 / 30), sweep.efficiencyOfIdeal(best).getAsDouble(), 1e-12);
+  }
+
+  @Test
+  void runsThatDisagreeAboutTheFlowAreAFault() {
+    List<SweepResult.Point> points =
+        List.of(point(20, "10", 1, 50, 28, 0.01), point(20, "10", 2, 50, 28, 0.01 * (1 + 1e-8)));
+    assertThrows(IllegalStateException.class, () -> new SweepResult(SETTINGS, 1, points));
+    List<SweepResult.Point> nothing = List.of(point(20, "10", 1, 50, 28, Double.NaN));
+    assertThrows(IllegalStateException.class, () -> new SweepResult(SETTINGS, 1, nothing));
+  }
+
+  @Test
+  void textSaysWhatFollows() {
+    String text = SweepReport.text(sweep(), "no");
+    for (String words :
+        List.of(
+            "recommended          all,8,8: 100.0 MLUPS with 2 threads at 20^3",
+            "cost of bundles      16.7 % against one block a thread (120.0 MLUPS)",
+            "speed-up             1.67, efficiency 83.3 %; 92.6 % of the speed-up of the bandwidth",
+            "at 30^3              99.0 MLUPS, 10.0 % behind the best there (10)",
+            "stored               no")) {
+      assertTrue(text.contains(words), () -> words + " <- " + text);
+    }
+    assertTrue(text.chars().allMatch(c -> c < 128), "terminals without UTF-8 print ASCII only");
+  }
+
+  @Test
+  void threadsAreAllOfAFewAndSomeOfMany() {
+    assertArrayEquals(new int[] {1}, DuctSweep.threadsUpTo(1));
+    assertArrayEquals(new int[] {1, 2, 3, 4}, DuctSweep.threadsUpTo(4));
+    assertArrayEquals(new int[] {1, 2, 3, 4, 6, 8, 12, 16, 24}, DuctSweep.threadsUpTo(24));
+    assertArrayEquals(new int[] {1, 2, 3, 4, 5}, DuctSweep.threadsUpTo(5));
+  }
+
+  @Test
+  void ticksAreEasyToRead() {
+    assertEquals(50, SweepPlot.tickDistance(160));
+    assertEquals(20, SweepPlot.tickDistance(100));
+    assertEquals(0.2, SweepPlot.tickDistance(0.9), 1e-12);
+    assertEquals(1, SweepPlot.tickDistance(5));
+  }
+}
