@@ -10,10 +10,15 @@ package org.hdispatch.lbm;
  */
 public record BundleSize(int nx, int ny, int nz) {
   /**
-   * Long along x, for long runs; and so small that one copy of the populations stays below 512 KiB,
-   * from which on G1 gives an array whole regions of a small heap to itself.
+   * Long along x, for long rows; large, for few links between bundles; and so small that an array
+   * of populations stays below 512 KiB, from which on G1 gives it whole regions of a small heap.
    */
-  public static final BundleSize DEFAULT = new BundleSize(32, 8, 8);
+  public static final BundleSize DEFAULT = new BundleSize(64, 16, 16);
+
+  /**
+   * Bundles that a lattice should be cut into at least, so that several workers share them well.
+   */
+  private static final int FEW = 32;
 
   /**
    * Checks the extents.
@@ -41,6 +46,21 @@ public record BundleSize(int nx, int ny, int nz) {
   BundleSize within(Lattice lattice) {
     return new BundleSize(
         Math.min(nx, lattice.nx()), Math.min(ny, lattice.ny()), Math.min(nz, lattice.nz()));
+  }
+
+  /** The default size, halved where it would cut a lattice into fewer than 32 bundles. */
+  public static BundleSize fitting(Lattice lattice) {
+    BundleSize size = DEFAULT;
+    for (int halving = 0; halving < 2 && size.pieces(lattice) < FEW; halving++) {
+      size = new BundleSize(32, 16 >> halving, 16 >> halving);
+    }
+    return size;
+  }
+
+  private double pieces(Lattice lattice) {
+    return Math.ceil((double) lattice.nx() / nx)
+        * Math.ceil((double) lattice.ny() / ny)
+        * Math.ceil((double) lattice.nz() / nz);
   }
 
   /** A cube of nodes. */

@@ -1,18 +1,22 @@
 package org.hdispatch.lbm;
 
+import java.io.DataInput;
+import java.io.DataOutput;
+import java.io.IOException;
 import java.util.List;
 import java.util.Objects;
+import java.util.Optional;
 import org.hdispatch.cell.CellMap;
 import org.hdispatch.dispatch.Pass;
 import org.hdispatch.dispatch.Scheme;
 import org.hdispatch.dispatch.Tick;
 
 /**
- * The lattice Boltzmann method as a scheme: one pass, "stream-collide", over nodal bundles; two
- * copies of the populations, pull order.
+ * The lattice Boltzmann method as a scheme: one pass, "stream-collide", over nodal bundles.
  *
  * <p>A new scheme is at rest: density 1, velocity 0. Every bit of the result is the same for any
- * number of workers and any bundle size.
+ * number of workers, bundle size, {@link Streaming} and {@link KernelForm}. After a step that
+ * failed the state is undefined: {@link #initialise} or {@link #restore} it.
  */
 public final class LbmScheme implements Scheme<NodalBundle, LbmScheme.Scratch> {
   private final VelocitySet set;
@@ -38,7 +42,7 @@ public final class LbmScheme implements Scheme<NodalBundle, LbmScheme.Scratch> {
     storage = builder.storage;
     kernels = builder.form.kernels();
     collision = new Collision(set, relaxation, equilibrium, force);
-    bundles = BundleMap.of(builder.lattice, set, builder.size, storage, streaming);
+    bundles = BundleMap.of(builder.lattice, set, builder.bundleSize(), storage, streaming);
     long sum = 0;
     for (int n = 0; n < bundles.size(); n++) {
       sum += bundles.cellAt(n).nodes();
@@ -238,6 +242,70 @@ public final class LbmScheme implements Scheme<NodalBundle, LbmScheme.Scratch> {
     visitor.visit(bundle.x(node), bundle.y(node), bundle.z(node), 1 + d, jx, jy, jz);
   }
 
+  /**
+   * Writes the state, from which {@link #restore} goes on with the same bits: the populations after
+   * collision, node by node in the order of {@link #forEachNode}, big-endian doubles.
+   *
+   * @throws IOException if the stream does
+   */
+  public void save(DataOutput out) throws IOException {
+    out.writeLong(fingerprint());
+    for (int n = 0; n < bundles.size(); n++) {
+      scratch.cursor.begin(bundles.cellAt(n).plan());
+      while (scratch.cursor.next()) {
+        scratch.cursor.read(previous, streamed, scratch.rows);
+        for (double[] row : scratch.rows) {
+          for (int k = 0; k < scratch.cursor.nodes(); k++) {
+            out.writeDouble(row[k]);
+          }
+        }
+      }
+    }
+  }
+
+  /**
+   * Reads a state that a scheme of the same nodes, lattice and bundles has saved; streaming,
+   * storage and kernel may differ.
+   *
+   * @throws IOException if the stream does, or if it ends too early
+   * @throws IllegalArgumentException if the state is of other nodes, another lattice or other
+   *     bundles
+   */
+  public void restore(DataInput in) throws IOException {
+    long saved = in.readLong();
+    if (saved != fingerprint()) {
+      throw new IllegalArgumentException(
+          "state must be of the same nodes, lattice and bundles: saved="
+              + Long.toHexString(saved)
+              + ", here="
+              + Long.toHexString(fingerprint()));
+    }
+    for (int n = 0; n < bundles.size(); n++) {
+      scratch.cursor.begin(bundles.cellAt(n).plan());
+      while (scratch.cursor.next()) {
+        for (double[] row : scratch.rows) {
+          for (int k = 0; k < scratch.cursor.nodes(); k++) {
+            row[k] = in.readDouble();
+          }
+        }
+        scratch.cursor.write(previous, streamed, scratch.rows);
+      }
+    }
+  }
+
+  /** Differs between schemes of other nodes, lattices or bundles. */
+  private long fingerprint() {
+    long print = set.size();
+    for (int n = 0; n < bundles.size(); n++) {
+      NodalBundle bundle = bundles.cellAt(n);
+      print = 31 * print + bundle.key();
+      for (int node = 0; node < bundle.nodes(); node++) {
+        print = 31 * print + bundle.runs().position(node);
+      }
+    }
+    return print;
+  }
+
   /** Number of fluid nodes. */
   public long nodes() {
     return nodes;
@@ -274,7 +342,7 @@ public final class LbmScheme implements Scheme<NodalBundle, LbmScheme.Scratch> {
     private Relaxation relaxation = Relaxation.trt(1);
     private Equilibrium equilibrium = Equilibrium.QUADRATIC;
     private BodyForce force = BodyForce.NONE;
-    private BundleSize size = BundleSize.DEFAULT;
+    private Optional<BundleSize> size = Optional.empty();
     private Streaming streaming = Streaming.IN_PLACE;
     private Storage storage = Storage.DOUBLE;
     private KernelForm form = KernelForm.fastest();
@@ -307,10 +375,14 @@ public final class LbmScheme implements Scheme<NodalBundle, LbmScheme.Scratch> {
       return this;
     }
 
-    /** Sets the size of the bundles. Default: {@link BundleSize#DEFAULT}. */
+    /** Sets the size of the bundles. Default: {@link BundleSize#fitting}. */
     public Builder bundleSize(BundleSize bundleSize) {
-      size = Objects.requireNonNull(bundleSize, "bundleSize");
+      size = Optional.of(bundleSize);
       return this;
+    }
+
+    private BundleSize bundleSize() {
+      return size.orElseGet(() -> BundleSize.fitting(lattice));
     }
 
     /** Sets how populations move. Default: in place. */

@@ -60,7 +60,7 @@ public final class LbmFlow {
   }
 
   /**
-   * Heap that a computation needs, in bytes: two copies of the populations, streaming plan, set-up,
+   * Heap that a computation needs, in bytes: the populations, half as much for their links, set-up,
    * pore space and field. An estimate from above, for a pore space that spans as a whole.
    *
    * @throws IllegalArgumentException if fluid is nowhere held back by a wall
@@ -68,8 +68,8 @@ public final class LbmFlow {
   public static long estimatedBytes(PoreSpace space, FlowOptions options) {
     int velocities = options.velocitySet().size();
     long slabs = 2L * new FlowDomain(space, options).slabVoxels();
-    long perNode = 2L * velocities * (Double.BYTES + Integer.BYTES) + Integer.BYTES;
-    long perVoxel = Integer.BYTES + 2 + 4 * Float.BYTES;
+    long perNode = 3L * velocities * Double.BYTES / 2;
+    long perVoxel = 2 * Integer.BYTES + 2 + 4 * Float.BYTES;
     return (space.poreVoxels() + slabs) * perNode + (space.voxels() + slabs) * perVoxel;
   }
 
