@@ -16,16 +16,14 @@ record BundleShape(int nx, int ny, int nz) {
   /** Stands for all nodes along an axis. */
   static final int ALL = Integer.MAX_VALUE;
 
+  /** Whole rows of the lattice: best for a duct on the machines tried. */
+  static final BundleShape LONG_ROWS = new BundleShape(ALL, 10, 10);
+
   /** What a shape must look like. */
   static final String GRAMMAR = "N or NX,NY,NZ, each a number of nodes or all";
 
   private static final String ALL_WORD = "all";
   private static final int AXES = 3;
-
-  /** The shape of a size. */
-  static BundleShape of(BundleSize size) {
-    return new BundleShape(size.nx(), size.ny(), size.nz());
-  }
 
   /**
    * Reads a shape.

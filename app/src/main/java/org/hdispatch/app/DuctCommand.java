@@ -6,7 +6,6 @@ import java.util.List;
 import java.util.Optional;
 import java.util.concurrent.Callable;
 import org.hdispatch.dispatch.Dispatcher;
-import org.hdispatch.lbm.BundleSize;
 import org.hdispatch.lbm.duct.BandwidthProbe;
 import org.hdispatch.lbm.duct.Duct;
 import org.hdispatch.lbm.duct.DuctFigures;
@@ -73,7 +72,7 @@ final class DuctCommand implements Callable<Integer> {
     return machine
         .bundle(options.settings(), side)
         .map(shape -> new Choice(shape, "stored in " + machine.path().orElseThrow()))
-        .orElse(new Choice(BundleShape.of(BundleSize.DEFAULT), "default"));
+        .orElse(new Choice(BundleShape.LONG_ROWS, "default"));
   }
 
   private void one(Optional<OutputFolder> folder) throws ImageFileException {

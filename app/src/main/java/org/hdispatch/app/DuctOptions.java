@@ -34,7 +34,7 @@ final class DuctOptions {
       converter = BundleShape.Converter.class,
       description = {
         "Nodes of a bundle: of a cube, or along each axis; a number or all. Default: what a sweep"
-            + " has stored for this machine and these settings, or else 32,8,8.",
+            + " has stored for this machine and these settings, or else all,10,10.",
         "Of a sweep: may be given several times, and nothing is stored. Default: cubes of 10, 16,"
             + " 20, 25, 32, 40, 50 and shapes long in x."
       })
@@ -95,7 +95,9 @@ final class DuctOptions {
       names = "--rounds",
       paramLabel = "R",
       defaultValue = "1",
-      description = "Of a sweep: go through it so often and take each run's middle speed.")
+      description =
+          "Of a sweep: go through it so often, and keep of each run the one with the most usual"
+              + " bandwidth beside it.")
   private int rounds;
 
   @Option(

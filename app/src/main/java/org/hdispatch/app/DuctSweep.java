@@ -1,16 +1,17 @@
 package org.hdispatch.app;
 
 import java.util.ArrayList;
+import java.util.Collections;
 import java.util.Comparator;
 import java.util.List;
 import java.util.function.Consumer;
 import java.util.function.DoubleConsumer;
 import org.hdispatch.dispatch.Dispatcher;
-import org.hdispatch.lbm.BundleSize;
 import org.hdispatch.lbm.duct.BandwidthProbe;
 import org.hdispatch.lbm.duct.Duct;
 import org.hdispatch.lbm.duct.DuctFigures;
 import org.hdispatch.lbm.duct.DuctRun;
+import org.hdispatch.lbm.duct.Spread;
 
 /**
  * Ducts of several sizes, each with several bundles and numbers of threads (Leonardi et al. 2011,
@@ -93,7 +94,7 @@ final class DuctSweep {
     List<HeapException> tooLarge = new ArrayList<>();
     for (int side : options.sizes()) {
       try {
-        DuctHeap.require(host, duct(side, BundleShape.of(BundleSize.DEFAULT)));
+        DuctHeap.require(host, duct(side, BundleShape.LONG_ROWS));
         cases.addAll(cases(side));
       } catch (HeapException e) {
         tooLarge.add(e);
@@ -171,7 +172,8 @@ final class DuctSweep {
     List<SweepResult.Point> points = new ArrayList<>();
     for (int n = 0; n < count; n++) {
       if (!figures.get(n).isEmpty()) {
-        points.add(new SweepResult.Point(cases.get(n), middle(figures.get(n))));
+        double usual = usualBandwidth(figures, cases.get(n).threads());
+        points.add(new SweepResult.Point(cases.get(n), nearest(figures.get(n), usual)));
       }
     }
     return points;
@@ -196,12 +198,27 @@ final class DuctSweep {
     }
   }
 
-  /** The one of middle speed; of an even number, the slower of the two in the middle. */
-  private static DuctFigures middle(List<DuctFigures> figures) {
-    return figures.stream()
-        .sorted(Comparator.comparingDouble(DuctFigures::mlupsMedian))
-        .toList()
-        .get((figures.size() - 1) / 2);
+  /**
+   * The one with the most usual bandwidth beside it: others who share the machine make it another
+   * machine for a while, and speeds measured on different machines cannot be compared.
+   *
+   * @param usual bandwidth, GB/s
+   */
+  static DuctFigures nearest(List<DuctFigures> figures, double usual) {
+    return Collections.min(
+        figures,
+        Comparator.comparingDouble(each -> Math.abs(each.gigabytesPerSecond().median() - usual)));
+  }
+
+  /** Median over all rounds of all cases with so many threads, GB/s. */
+  private static double usualBandwidth(List<List<DuctFigures>> figures, int threads) {
+    return Spread.of(
+            figures.stream()
+                .flatMap(List::stream)
+                .filter(each -> each.threads() == threads)
+                .mapToDouble(each -> each.gigabytesPerSecond().median())
+                .toArray())
+        .median();
   }
 
   private long probeBytes(List<Case> cases) {

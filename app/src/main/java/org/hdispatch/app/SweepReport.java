@@ -4,9 +4,13 @@ import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
 import java.util.OptionalDouble;
+import org.hdispatch.lbm.duct.Spread;
 
 /** A sweep for programs (the keys stay as they are) and for people. */
 final class SweepReport {
+  /** Ratio of bandwidths from which on runs differ by more than what they compare. */
+  private static final double DISTURBED = 1.25;
+
   private SweepReport() {}
 
   /** One row a run. */
@@ -125,7 +129,23 @@ final class SweepReport {
         transfer(table, result, best, side);
       }
     }
+    result.bandwidth(best.threads()).ifPresent(spread -> disturbed(table, best, spread));
     table.line("stored", stored);
+  }
+
+  /** Speeds measured while the bandwidth was not the same cannot be compared. */
+  private static void disturbed(Table table, SweepResult.Point best, Spread bandwidth) {
+    if (bandwidth.most() > DISTURBED * bandwidth.least()) {
+      table.line(
+          "DISTURBED",
+          "the bandwidth with "
+              + best.threads()
+              + " threads was between "
+              + fixed(bandwidth.least())
+              + " and "
+              + fixed(bandwidth.most())
+              + " GB/s: give more --rounds, or a quieter machine");
+    }
   }
 
   private static String cost(double ratio) {

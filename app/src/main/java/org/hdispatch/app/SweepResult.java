@@ -92,23 +92,18 @@ record SweepResult(DuctSettings settings, long probeBytes, List<Point> points) {
    * Speed-up of the bandwidth, by the medians over all runs: what a memory-bound loop can reach.
    */
   OptionalDouble bandwidthSpeedUp(int threads) {
-    OptionalDouble one = bandwidth(1);
-    OptionalDouble several = bandwidth(threads);
-    return one.isPresent() && several.isPresent()
-        ? OptionalDouble.of(several.getAsDouble() / one.getAsDouble())
-        : OptionalDouble.empty();
+    return of(
+        bandwidth(1).flatMap(one -> bandwidth(threads).map(many -> many.median() / one.median())));
   }
 
-  /** Median over the runs with so many threads, GB/s. */
-  private OptionalDouble bandwidth(int threads) {
+  /** Over the runs with so many threads, GB/s; empty if there are none. */
+  Optional<Spread> bandwidth(int threads) {
     double[] medians =
         points.stream()
             .filter(p -> p.threads() == threads)
             .mapToDouble(p -> p.figures().gigabytesPerSecond().median())
             .toArray();
-    return medians.length == 0
-        ? OptionalDouble.empty()
-        : OptionalDouble.of(Spread.of(medians).median());
+    return medians.length == 0 ? Optional.empty() : Optional.of(Spread.of(medians));
   }
 
   /** Speed-up over that of the bandwidth, which counts for no more than the number of threads. */

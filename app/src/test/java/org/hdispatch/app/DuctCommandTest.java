@@ -311,7 +311,7 @@ class DuctCommandTest {
   }
 
   @Test
-  void roundsTakeTheMiddleSpeed() {
+  void roundsGiveOneRowARunAllTheSame() {
     Cli run = duct("--sizes=6 --bundle=3 --threads=1 --warm-up=2 --rounds=3 --csv");
     assertEquals(0, run.code(), run.err());
     assertEquals(3, run.out().lines().count()); // header, bundle, control

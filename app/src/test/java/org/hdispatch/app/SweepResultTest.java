@@ -2,6 +2,7 @@ package org.hdispatch.app;
 
 import static org.junit.jupiter.api.Assertions.assertArrayEquals;
 import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
@@ -96,6 +97,24 @@ class SweepResultTest {
     assertThrows(IllegalStateException.class, () -> new SweepResult(SETTINGS, 1, points));
     List<SweepResult.Point> nothing = List.of(point(20, "10", 1, 50, 28, Double.NaN));
     assertThrows(IllegalStateException.class, () -> new SweepResult(SETTINGS, 1, nothing));
+  }
+
+  @Test
+  void ofSeveralRoundsTheOneWithTheMostUsualBandwidthCounts() {
+    DuctFigures fast = point(20, "10", 2, 120, 80).figures();
+    DuctFigures usual = point(20, "10", 2, 110, 51).figures();
+    DuctFigures slow = point(20, "10", 2, 60, 30).figures();
+    assertEquals(usual, DuctSweep.nearest(List.of(fast, usual, slow), 53));
+  }
+
+  @Test
+  void bandwidthThatVariesIsSaid() {
+    assertFalse(SweepReport.text(sweep(), "no").contains("DISTURBED"));
+    SweepResult disturbed =
+        new SweepResult(
+            SETTINGS, 1, List.of(point(20, "10", 2, 90, 50), point(20, "20", 2, 120, 80)));
+    String text = SweepReport.text(disturbed, "no");
+    assertTrue(text.contains("with 2 threads was between 50.0 and 80.0 GB/s"), text);
   }
 
   @Test
