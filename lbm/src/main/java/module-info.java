@@ -4,6 +4,7 @@ module org.hdispatch.lbm {
 
   exports org.hdispatch.lbm;
   exports org.hdispatch.lbm.duct;
+  exports org.hdispatch.lbm.immersed;
 
   uses org.hdispatch.lbm.CollisionKernels;
 }
