@@ -34,7 +34,7 @@ public record Collision(
     Objects.requireNonNull(force, "force");
   }
 
-  /** The numbers of the formulas, multiplied out. */
+  /** The numbers of the formulas, multiplied out; made anew. */
   public CollisionCoefficients coefficients() {
     return new CollisionCoefficients(this);
   }

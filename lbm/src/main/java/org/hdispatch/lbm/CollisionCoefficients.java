@@ -18,8 +18,17 @@ package org.hdispatch.lbm;
  *
  * f along c, f' against it. Written so that little more than the populations themselves has to stay
  * in registers.
+ *
+ * <p>The kernels of all workers of a scheme share one of these. Between two steps the scheme may
+ * change the force, and with it {@link #push}, {@link #along}, {@link #forceX}, {@link #forceY} and
+ * {@link #forceZ}: a kernel reads those anew in every call.
  */
 public final class CollisionCoefficients {
+  private final VelocitySet set;
+  private final Equilibrium equilibrium;
+  private final double halfPlus;
+  private final double halfMinus;
+
   /** omega+. */
   public final double omegaPlus;
 
@@ -53,46 +62,73 @@ public final class CollisionCoefficients {
   /** -3 (1 - omega+/2). */
   public final double work;
 
-  /** The force F. */
-  public final double forceX;
-
-  /** The force F. */
-  public final double forceY;
-
-  /** The force F. */
-  public final double forceZ;
+  private double forceX;
+  private double forceY;
+  private double forceZ;
 
   CollisionCoefficients(Collision collision) {
-    VelocitySet set = collision.set();
-    BodyForce force = collision.force();
+    set = collision.set();
+    equilibrium = collision.equilibrium();
     omegaPlus = collision.relaxation().omegaPlus();
     double omegaMinus = collision.relaxation().omegaMinus();
-    double halfPlus = omegaPlus / 2;
-    double halfMinus = omegaMinus / 2;
+    halfPlus = omegaPlus / 2;
+    halfMinus = omegaMinus / 2;
     keepRest = 1 - omegaPlus;
     keep = 1 - halfPlus - halfMinus;
     cross = halfMinus - halfPlus;
     curvature = 4.5 * omegaPlus;
     squares = -1.5 * omegaPlus;
     work = -3 * (1 - halfPlus);
-    forceX = force.x();
-    forceY = force.y();
-    forceZ = force.z();
     int pairs = set.pairs();
     even = new double[pairs + 1];
     odd = new double[pairs + 1];
     push = new double[pairs + 1];
     along = new double[pairs + 1];
-    double rate = collision.equilibrium() == Equilibrium.LINEAR ? omegaPlus : 1;
+    double rate = equilibrium == Equilibrium.LINEAR ? omegaPlus : 1;
     even[0] = rate * set.weight(0);
     for (int p = 1; p <= pairs; p++) {
-      int i = 2 * p - 1;
-      double w = set.weight(i);
-      double projected = set.cx(i) * forceX + set.cy(i) * forceY + set.cz(i) * forceZ;
+      double w = set.weight(2 * p - 1);
       even[p] = rate * w;
       odd[p] = 3 * w * omegaMinus;
-      push[p] = (1 - halfMinus) * 3 * w * projected;
+    }
+    drive(collision.force());
+  }
+
+  /** Changes the force; between two steps only. */
+  void drive(BodyForce force) {
+    forceX = force.x();
+    forceY = force.y();
+    forceZ = force.z();
+    for (int p = 1; p < push.length; p++) {
+      int i = 2 * p - 1;
+      double projected = set.cx(i) * forceX + set.cy(i) * forceY + set.cz(i) * forceZ;
+      push[p] = (1 - halfMinus) * 3 * set.weight(i) * projected;
       along[p] = (1 - halfPlus) * 9 * projected;
     }
+  }
+
+  /** The lattice. */
+  public VelocitySet set() {
+    return set;
+  }
+
+  /** Form of the equilibrium. */
+  public Equilibrium equilibrium() {
+    return equilibrium;
+  }
+
+  /** The force F, first component. */
+  public double forceX() {
+    return forceX;
+  }
+
+  /** The force F, second component. */
+  public double forceY() {
+    return forceY;
+  }
+
+  /** The force F, third component. */
+  public double forceZ() {
+    return forceZ;
   }
 }

@@ -11,7 +11,8 @@ public interface CollisionKernels {
   /**
    * A kernel for one worker.
    *
+   * @param coefficients shared with the other workers; the force in them may change between calls
    * @throws IllegalStateException if they are not {@link #available}
    */
-  CollisionKernel kernel(Collision collision);
+  CollisionKernel kernel(CollisionCoefficients coefficients);
 }

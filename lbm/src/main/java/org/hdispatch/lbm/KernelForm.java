@@ -55,9 +55,9 @@ public enum KernelForm {
     }
 
     @Override
-    public CollisionKernel kernel(Collision collision) {
-      Objects.requireNonNull(collision, "collision");
-      return form == REFERENCE ? new NodeKernel(collision) : new LoopKernel(collision);
+    public CollisionKernel kernel(CollisionCoefficients coefficients) {
+      Objects.requireNonNull(coefficients, "coefficients");
+      return form == REFERENCE ? new NodeKernel(coefficients) : new LoopKernel(coefficients);
     }
   }
 }

@@ -22,10 +22,12 @@ public final class LbmScheme implements Scheme<NodalBundle, LbmScheme.Scratch> {
   private final VelocitySet set;
   private final Relaxation relaxation;
   private final Equilibrium equilibrium;
-  private final BodyForce force;
+  private BodyForce force; // of the next step
+  private BodyForce acted; // in the last step
   private final Streaming streaming;
   private final Storage storage;
-  private final Collision collision;
+  private final Immersion immersion; // null: none
+  private final CollisionCoefficients coefficients;
   private final CollisionKernels kernels;
   private final CellMap<NodalBundle> bundles;
   private final long nodes;
@@ -41,13 +43,17 @@ public final class LbmScheme implements Scheme<NodalBundle, LbmScheme.Scratch> {
     streaming = builder.streaming;
     storage = builder.storage;
     kernels = builder.form.kernels();
-    collision = new Collision(set, relaxation, equilibrium, force);
+    immersion = builder.immersion;
+    coefficients = new Collision(set, relaxation, equilibrium, force).coefficients();
     bundles = BundleMap.of(builder.lattice, set, builder.bundleSize(), storage, streaming);
     long sum = 0;
     for (int n = 0; n < bundles.size(); n++) {
       sum += bundles.cellAt(n).nodes();
     }
     nodes = sum;
+    if (immersion != null) {
+      immersion.placeIn(builder.lattice, set, relaxation, equilibrium, bundles);
+    }
     scratch = newScratch();
     streamed = streaming == Streaming.PUSH;
     initialise((x, y, z, state) -> {});
@@ -91,6 +97,7 @@ public final class LbmScheme implements Scheme<NodalBundle, LbmScheme.Scratch> {
    * force: "true rest" has momentum F/2 after collision.
    */
   public void initialise(InitialState initial) {
+    acted = force;
     NodeState state = new NodeState();
     for (int n = 0; n < bundles.size(); n++) {
       NodalBundle bundle = bundles.cellAt(n);
@@ -122,7 +129,11 @@ public final class LbmScheme implements Scheme<NodalBundle, LbmScheme.Scratch> {
 
   @Override
   public Scratch newScratch() {
-    return new Scratch(kernels.kernel(collision), storage, set.size());
+    return new Scratch(
+        kernels.kernel(coefficients),
+        storage,
+        set.size(),
+        immersion == null ? null : immersion.newWorker());
   }
 
   @Override
@@ -138,9 +149,13 @@ public final class LbmScheme implements Scheme<NodalBundle, LbmScheme.Scratch> {
     private final Rows out;
     private final double[][] rows;
     private final int[] start;
+    private final Immersion.Worker immersed; // null: nothing is
+    private final int[] numbers = new int[Chunk.NODES]; // of the chunk's nodes
 
-    private Scratch(CollisionKernel kernel, Storage storage, int velocities) {
+    private Scratch(
+        CollisionKernel kernel, Storage storage, int velocities, Immersion.Worker immersed) {
       this.kernel = kernel;
+      this.immersed = immersed;
       in = Rows.of(storage, velocities);
       out = Rows.of(storage, velocities);
       rows = new double[velocities][Chunk.PADDED];
@@ -153,6 +168,10 @@ public final class LbmScheme implements Scheme<NodalBundle, LbmScheme.Scratch> {
     boolean writesNeighbours = streaming == Streaming.PUSH || inPlace() && !streamed;
     int current = (previous + 1) % streaming.copies();
     StreamPlan plan = bundle.plan();
+    if (scratch.immersed != null && scratch.immersed.enter(bundle)) {
+      immersed(plan, scratch, current, readsNeighbours, writesNeighbours);
+      return;
+    }
     if (!readsNeighbours && !writesNeighbours) {
       scratch.in.pointAtOwn(bundle.populations(previous), 0);
       scratch.in.collide(scratch.kernel, scratch.in, bundle.nodes(), 1, 0);
@@ -179,6 +198,31 @@ public final class LbmScheme implements Scheme<NodalBundle, LbmScheme.Scratch> {
     }
   }
 
+  /** Steps a bundle in which something may be immersed: all of its nodes through scratch. */
+  private void immersed(
+      StreamPlan plan,
+      Scratch scratch,
+      int current,
+      boolean readsNeighbours,
+      boolean writesNeighbours) {
+    ChunkCursor cursor = scratch.cursor;
+    double[][] rows = scratch.rows;
+    cursor.begin(plan);
+    while (cursor.next()) {
+      int n = cursor.nodes();
+      cursor.read(previous, readsNeighbours, rows);
+      for (int k = 0; k < n; k++) {
+        scratch.numbers[k] = cursor.node(k);
+      }
+      boolean covered = scratch.immersed.keep(rows, scratch.numbers, n) > 0;
+      scratch.kernel.collide(rows, scratch.start, rows, scratch.start, n, 1, 0);
+      if (covered) {
+        scratch.immersed.blend(rows);
+      }
+      cursor.write(current, writesNeighbours, rows);
+    }
+  }
+
   private boolean inPlace() {
     return streaming == Streaming.IN_PLACE;
   }
@@ -187,6 +231,10 @@ public final class LbmScheme implements Scheme<NodalBundle, LbmScheme.Scratch> {
   public void afterStep(Tick tick) {
     previous = (previous + 1) % streaming.copies();
     streamed = streaming == Streaming.PUSH || inPlace() && !streamed;
+    acted = force;
+    if (immersion != null) {
+      immersion.afterStep();
+    }
   }
 
   /** Receives density and momentum of a node. */
@@ -213,7 +261,8 @@ public final class LbmScheme implements Scheme<NodalBundle, LbmScheme.Scratch> {
 
   /**
    * Visits the fluid nodes of one bundle, between two steps. The velocity of stored populations,
-   * which are those after collision, is their momentum less half the force.
+   * which are those after collision, is their momentum less half the force of the step that made
+   * them.
    */
   public void forEachNode(NodalBundle bundle, Scratch scratch, NodeVisitor visitor) {
     ChunkCursor cursor = scratch.cursor;
@@ -229,9 +278,9 @@ public final class LbmScheme implements Scheme<NodalBundle, LbmScheme.Scratch> {
   /** Row i holds what left the node against velocity i. */
   private void visit(NodalBundle bundle, int node, double[][] rows, int k, NodeVisitor visitor) {
     double d = rows[0][k];
-    double jx = -force.x() / 2;
-    double jy = -force.y() / 2;
-    double jz = -force.z() / 2;
+    double jx = -acted.x() / 2;
+    double jy = -acted.y() / 2;
+    double jz = -acted.z() / 2;
     for (int i = 1; i < rows.length; i += 2) {
       double a = rows[i + 1][k] - rows[i][k];
       d += rows[i + 1][k] + rows[i][k];
@@ -330,9 +379,15 @@ public final class LbmScheme implements Scheme<NodalBundle, LbmScheme.Scratch> {
     return relaxation;
   }
 
-  /** The body force. */
+  /** The body force of the next step. */
   public BodyForce force() {
     return force;
+  }
+
+  /** Changes the body force, between two steps; allocates nothing. */
+  public void drive(BodyForce bodyForce) {
+    force = Objects.requireNonNull(bodyForce, "bodyForce");
+    coefficients.drive(bodyForce);
   }
 
   /** Settings of a scheme; all but the lattice have a default. */
@@ -346,6 +401,7 @@ public final class LbmScheme implements Scheme<NodalBundle, LbmScheme.Scratch> {
     private Streaming streaming = Streaming.IN_PLACE;
     private Storage storage = Storage.DOUBLE;
     private KernelForm form = KernelForm.fastest();
+    private Immersion immersion;
 
     private Builder(Lattice lattice) {
       this.lattice = Objects.requireNonNull(lattice, "lattice");
@@ -404,6 +460,12 @@ public final class LbmScheme implements Scheme<NodalBundle, LbmScheme.Scratch> {
      */
     public Builder kernel(KernelForm kernelForm) {
       form = Objects.requireNonNull(kernelForm, "kernelForm");
+      return this;
+    }
+
+    /** Sets what lies in the flow. Default: nothing. */
+    public Builder immersion(Immersion bodies) {
+      immersion = Objects.requireNonNull(bodies, "bodies");
       return this;
     }
 

@@ -22,11 +22,12 @@ final class LoopKernel implements CollisionKernel {
   private final int base;
   private final int along;
   private final int form;
-  private final double[] halfForce;
+  private final CollisionCoefficients coefficients;
   private final RowOperation[] operations;
 
-  LoopKernel(Collision collision) {
-    VelocitySet set = collision.set();
+  LoopKernel(CollisionCoefficients coefficients) {
+    this.coefficients = coefficients;
+    VelocitySet set = coefficients.set();
     velocities = set.size();
     density = velocities;
     momentum = velocities + 1;
@@ -35,14 +36,11 @@ final class LoopKernel implements CollisionKernel {
     along = velocities + 6;
     form = velocities + 7;
     rows = new double[velocities + 8][Chunk.PADDED];
-    BodyForce force = collision.force();
-    halfForce = new double[] {force.x() / 2, force.y() / 2, force.z() / 2};
-    operations = operations(set, collision).toArray(RowOperation[]::new);
+    operations = operations(set, coefficients).toArray(RowOperation[]::new);
   }
 
-  private List<RowOperation> operations(VelocitySet set, Collision collision) {
-    CollisionCoefficients c = collision.coefficients();
-    boolean quadratic = collision.equilibrium() == Equilibrium.QUADRATIC;
+  private List<RowOperation> operations(VelocitySet set, CollisionCoefficients c) {
+    boolean quadratic = c.equilibrium() == Equilibrium.QUADRATIC;
     List<RowOperation> list = new ArrayList<>();
     for (int i = 1; i < velocities; i += 2) {
       list.add(moments(set, i));
@@ -60,10 +58,10 @@ final class LoopKernel implements CollisionKernel {
         list.add(project(set, i));
       }
       if (quadratic) {
-        list.add(new Form(projected, volume, base, c.curvature, c.along[p], form));
+        list.add(new Form(projected, volume, base, c, p, form));
       }
       int even = quadratic ? form : density;
-      list.add(new Pair(i, even, projected, c.keep, c.cross, c.even[p], c.odd[p], c.push[p]));
+      list.add(new Pair(p, even, projected, c));
     }
     return list;
   }
@@ -156,9 +154,9 @@ final class LoopKernel implements CollisionKernel {
 
   private void collide(int n) {
     System.arraycopy(rows[0], 0, rows[density], 0, n);
-    for (int axis = 0; axis < 3; axis++) {
-      Arrays.fill(rows[momentum + axis], 0, n, halfForce[axis]);
-    }
+    Arrays.fill(rows[momentum], 0, n, coefficients.forceX() / 2);
+    Arrays.fill(rows[momentum + 1], 0, n, coefficients.forceY() / 2);
+    Arrays.fill(rows[momentum + 2], 0, n, coefficients.forceZ() / 2);
     for (RowOperation operation : operations) {
       operation.apply(rows, n);
     }
@@ -248,9 +246,9 @@ final class LoopKernel implements CollisionKernel {
       double[] jy = rows[momentum + 1];
       double[] jz = rows[momentum + 2];
       double[] row = rows[to];
-      double fx = c.forceX;
-      double fy = c.forceY;
-      double fz = c.forceZ;
+      double fx = c.forceX();
+      double fy = c.forceY();
+      double fz = c.forceZ();
       double squares = c.squares;
       double work = c.work;
       for (int k = 0; k < n; k++) {
@@ -336,7 +334,8 @@ final class LoopKernel implements CollisionKernel {
   }
 
   /** v c.j (curvature c.j + along) + base. */
-  private record Form(int projected, int volume, int base, double curvature, double along, int to)
+  private record Form(
+      int projected, int volume, int base, CollisionCoefficients c, int pair, int to)
       implements RowOperation {
     @Override
     public void apply(double[][] rows, int n) {
@@ -344,8 +343,8 @@ final class LoopKernel implements CollisionKernel {
       double[] v = rows[volume];
       double[] b = rows[base];
       double[] row = rows[to];
-      double q = curvature;
-      double l = along;
+      double q = c.curvature;
+      double l = c.along[pair];
       for (int k = 0; k < n; k++) {
         row[k] = Math.fma(v[k] * cj[k], Math.fma(q, cj[k], l), b[k]);
       }
@@ -353,27 +352,19 @@ final class LoopKernel implements CollisionKernel {
   }
 
   /** Relaxes a pair and turns it round. */
-  private record Pair(
-      int i,
-      int form,
-      int projected,
-      double keep,
-      double cross,
-      double even,
-      double odd,
-      double push)
+  private record Pair(int pair, int form, int projected, CollisionCoefficients c)
       implements RowOperation {
     @Override
     public void apply(double[][] rows, int n) {
-      double[] f = rows[i];
-      double[] g = rows[i + 1];
+      double[] f = rows[2 * pair - 1];
+      double[] g = rows[2 * pair];
       double[] row = rows[form];
       double[] cj = rows[projected];
-      double own = keep;
-      double other = cross;
-      double e = even;
-      double o = odd;
-      double p = push;
+      double own = c.keep;
+      double other = c.cross;
+      double e = c.even[pair];
+      double o = c.odd[pair];
+      double p = c.push[pair];
       for (int k = 0; k < n; k++) {
         double forth = f[k];
         double back = g[k];

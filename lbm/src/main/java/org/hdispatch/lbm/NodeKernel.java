@@ -7,10 +7,10 @@ final class NodeKernel implements CollisionKernel {
   private final CollisionCoefficients c;
   private final double[] f;
 
-  NodeKernel(Collision collision) {
-    set = collision.set();
-    quadratic = collision.equilibrium() == Equilibrium.QUADRATIC;
-    c = collision.coefficients();
+  NodeKernel(CollisionCoefficients coefficients) {
+    c = coefficients;
+    set = c.set();
+    quadratic = c.equilibrium() == Equilibrium.QUADRATIC;
     f = new double[set.size()];
   }
 
@@ -48,9 +48,9 @@ final class NodeKernel implements CollisionKernel {
 
   private void collide() {
     double d = f[0];
-    double jx = c.forceX / 2;
-    double jy = c.forceY / 2;
-    double jz = c.forceZ / 2;
+    double jx = c.forceX() / 2;
+    double jy = c.forceY() / 2;
+    double jz = c.forceZ() / 2;
     for (int i = 1; i < f.length; i += 2) {
       double a = f[i] - f[i + 1];
       d += f[i] + f[i + 1];
@@ -63,7 +63,7 @@ final class NodeKernel implements CollisionKernel {
     if (quadratic) {
       v = 1 / (1 + d);
       double jj = Math.fma(jx, jx, Math.fma(jy, jy, jz * jz));
-      double jf = Math.fma(c.forceX, jx, Math.fma(c.forceY, jy, c.forceZ * jz));
+      double jf = Math.fma(c.forceX(), jx, Math.fma(c.forceY(), jy, c.forceZ() * jz));
       base = Math.fma(c.omegaPlus, d, v * Math.fma(c.squares, jj, c.work * jf));
     }
     f[0] = Math.fma(c.keepRest, f[0], c.even[0] * base);

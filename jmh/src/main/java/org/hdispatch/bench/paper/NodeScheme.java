@@ -122,7 +122,7 @@ final class NodeScheme implements Scheme<NodeBundle, NodeScheme.Scratch> {
 
   @Override
   public Scratch newScratch() {
-    return new Scratch(KernelForm.REFERENCE.kernels().kernel(collision), set.size());
+    return new Scratch(KernelForm.REFERENCE.kernels().kernel(collision.coefficients()), set.size());
   }
 
   @Override

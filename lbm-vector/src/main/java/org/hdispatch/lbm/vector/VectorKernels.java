@@ -1,6 +1,5 @@
 package org.hdispatch.lbm.vector;
 
-import org.hdispatch.lbm.Collision;
 import org.hdispatch.lbm.CollisionCoefficients;
 import org.hdispatch.lbm.CollisionKernel;
 import org.hdispatch.lbm.CollisionKernels;
@@ -21,14 +20,13 @@ public final class VectorKernels implements CollisionKernels {
   }
 
   @Override
-  public CollisionKernel kernel(Collision collision) {
+  public CollisionKernel kernel(CollisionCoefficients coefficients) {
     if (!available()) {
       throw new IllegalStateException(
-          "vector kernels need --add-modules jdk.incubator.vector: collision=" + collision);
+          "vector kernels need --add-modules jdk.incubator.vector: set=" + coefficients.set());
     }
-    CollisionCoefficients coefficients = collision.coefficients();
-    boolean linear = collision.equilibrium() == Equilibrium.LINEAR;
-    if (collision.set() == VelocitySet.D3Q15) {
+    boolean linear = coefficients.equilibrium() == Equilibrium.LINEAR;
+    if (coefficients.set() == VelocitySet.D3Q15) {
       return linear ? new D3Q15LinearKernel(coefficients) : new D3Q15QuadraticKernel(coefficients);
     }
     return linear ? new D3Q19LinearKernel(coefficients) : new D3Q19QuadraticKernel(coefficients);

@@ -142,12 +142,14 @@ final class KernelSource {
     constant("keep", "c.keep");
     constant("cross", "c.cross");
     for (String axis : List.of("X", "Y", "Z")) {
-      constant("half" + axis, "c.force" + axis + " / 2");
+      constant("half" + axis, "c.force" + axis + "() / 2");
     }
     if (quadratic) {
-      for (String name :
-          List.of("omegaPlus", "curvature", "squares", "work", "forceX", "forceY", "forceZ")) {
+      for (String name : List.of("omegaPlus", "curvature", "squares", "work")) {
         constant(name, "c." + name);
+      }
+      for (String axis : List.of("X", "Y", "Z")) {
+        constant("force" + axis, "c.force" + axis + "()");
       }
       constant("one", "1");
     }
