@@ -203,6 +203,7 @@ final class Blender implements Immersion.Worker {
       loads[at + 3] += y * pz - z * py;
       loads[at + 4] += z * px - x * pz;
       loads[at + 5] += x * py - y * px;
+      loads[at + 6] += b;
     }
   }
 

@@ -43,6 +43,7 @@ public final class Body {
   private double tx;
   private double ty;
   private double tz;
+  private double held;
 
   private Body(Shape shape, Motion motion, Path path, double density, Point place) {
     this.shape = Objects.requireNonNull(shape, "shape");
@@ -137,6 +138,11 @@ public final class Body {
     wz = spinZ;
   }
 
+  /** Mass of fluid that moved with the body in the last step: the sum of the weights B. */
+  double held() {
+    return held;
+  }
+
   void clearLoad() {
     fx = 0;
     fy = 0;
@@ -144,9 +150,10 @@ public final class Body {
     tx = 0;
     ty = 0;
     tz = 0;
+    held = 0;
   }
 
-  /** Adds force and torque that stand one after the other in an array. */
+  /** Adds force, torque and weight that stand one after the other in an array. */
   void addLoad(double[] load, int at) {
     fx += load[at];
     fy += load[at + 1];
@@ -154,6 +161,7 @@ public final class Body {
     tx += load[at + 3];
     ty += load[at + 4];
     tz += load[at + 5];
+    held += load[at + 6];
   }
 
   /** Place of the centre, first coordinate; not brought back into a periodic box. */

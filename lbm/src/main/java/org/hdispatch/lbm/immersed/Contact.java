@@ -13,8 +13,8 @@ package org.hdispatch.lbm.immersed;
  * @param restitution e, above 0, at most 1
  */
 public record Contact(double duration, double restitution) {
-  /** Two time steps, no loss. */
-  public static final Contact DEFAULT = new Contact(2, 1);
+  /** Two time steps, half the speed lost, so that spheres come to rest on each other. */
+  public static final Contact DEFAULT = new Contact(2, 0.5);
 
   private static final int STEPS_PER_COLLISION = 40;
 

@@ -8,13 +8,16 @@ import org.hdispatch.lbm.Lattice;
  * the fluid's force being constant meanwhile.
  *
  * <pre>
- *   m a = F + m_f a' + (m - m_f) g + contacts
+ *   m a = F + m_f a' + m_h k' + (m - m_f) g + contacts
  * </pre>
  *
  * The fluid inside the body moves with it; what that takes is in F, the force of the lattice's
- * fluid, though no real fluid is there. m_f a', the mass of that fluid by the acceleration of the
- * step before, gives it back (Feng, Michaelides, Journal of Computational Physics 195, 2004, 602):
- * exactly, since F too knows the velocity of the body one step late. Likewise for the spin.
+ * fluid, though no real fluid is there. F knows the velocity of the body one step late, so what the
+ * body gained in the step before gives it back: m_f a', with m_f the mass of fluid inside (Feng,
+ * Michaelides, Journal of Computational Physics 195, 2004, 602), for what fluid and gravity gave,
+ * since the fluid in cut cells follows these changes within a few steps; m_h k', with m_h the sum
+ * of the weights B, for the kicks of contacts, to which it does not: m_f would make them bounce
+ * higher than they fell. Likewise m_f for the spin.
  */
 final class Newton {
   /** Distance between surfaces below which steps are cut, in node spacings. */
@@ -26,8 +29,10 @@ final class Newton {
   private final double[] walls; // low x, high x, low y, ...
   private final Images[] images;
 
-  // By body: what it gained in the last step, what the fluid and gravity give it, and contacts.
+  // By body: velocity gained in the last step but for contacts, by contacts, and spin gained;
+  // accelerations by fluid and gravity, and by contacts.
   private final double[][] gained;
+  private final double[][] kicked;
   private final double[][] spun;
   private final double[][] steady;
   private final double[][] pushed;
@@ -44,6 +49,7 @@ final class Newton {
       walls[2 * axis + 1] = open ? images[axis].length() - 0.5 : Double.POSITIVE_INFINITY;
     }
     gained = new double[bodies.length][3];
+    kicked = new double[bodies.length][3];
     spun = new double[bodies.length][3];
     steady = new double[bodies.length][3];
     pushed = new double[bodies.length][3];
@@ -71,9 +77,9 @@ final class Newton {
     for (int n = 0; n < bodies.length; n++) {
       if (free(n)) {
         Body body = bodies[n];
-        gained[n][0] += body.ux();
-        gained[n][1] += body.uy();
-        gained[n][2] += body.uz();
+        gained[n][0] += body.ux() - kicked[n][0];
+        gained[n][1] += body.uy() - kicked[n][1];
+        gained[n][2] += body.uz() - kicked[n][2];
         spin(body, spun[n]);
       }
     }
@@ -89,21 +95,28 @@ final class Newton {
     double mass = body.mass();
     double inner = 1 / body.density();
     double buoyant = 1 - inner;
+    double held = body.held() / mass;
     double[] a = steady[n];
     double[] gain = gained[n];
-    a[0] = body.fx() / mass + inner * gain[0] + buoyant * gravity.x();
-    a[1] = body.fy() / mass + inner * gain[1] + buoyant * gravity.y();
-    a[2] = body.fz() / mass + inner * gain[2] + buoyant * gravity.z();
+    double[] kick = kicked[n];
+    a[0] = body.fx() / mass + inner * gain[0] + held * kick[0] + buoyant * gravity.x();
+    a[1] = body.fy() / mass + inner * gain[1] + held * kick[1] + buoyant * gravity.y();
+    a[2] = body.fz() / mass + inner * gain[2] + held * kick[2] + buoyant * gravity.z();
     gain[0] = -body.ux();
     gain[1] = -body.uy();
     gain[2] = -body.uz();
     Arrays.fill(pushed[n], 0);
+    Arrays.fill(kick, 0);
   }
 
   private void move(int n, double time) {
     Body body = bodies[n];
     double[] a = steady[n];
     double[] push = pushed[n];
+    double[] kick = kicked[n];
+    kick[0] += time * push[0];
+    kick[1] += time * push[1];
+    kick[2] += time * push[2];
     double ux = body.ux() + time * (a[0] + push[0]);
     double uy = body.uy() + time * (a[1] + push[1]);
     double uz = body.uz() + time * (a[2] + push[2]);

@@ -5,8 +5,8 @@ import org.hdispatch.lbm.NodalBundle;
 
 /** What is immersed in one bundle: where the fixed bodies are, and this step's forces. */
 final class Vicinity {
-  /** Force and torque. */
-  static final int LOAD = 6;
+  /** Force, torque, and weight of the covered nodes. */
+  static final int LOAD = 7;
 
   private static final int[] NOBODY = {};
 

@@ -321,6 +321,45 @@ class ImmersedBodiesTest {
     }
     assertTrue(least[0] < 0 && least[0] > -0.05, "gap=" + least[0]); // they have touched
     assertTrue(least[1] < 0.5 && least[1] > -0.05, "gap=" + least[1]);
+    assertEquals(0, light.uz(), 1e-5); // lies on the floor: fell at 5e-3
+  }
+
+  /**
+   * The equation of Basset, Boussinesq and Oseen: (rho + 1/2) V a = (rho - 1) V g - 6 pi nu R u - 6
+   * R² sqrt(pi nu) integral of a(s)/sqrt(t - s) ds, solved by steps.
+   */
+  @Test
+  void releasedSphereGathersSpeedAgainstAddedMassAndHistory() {
+    double radius = 4;
+    double density = 1.5;
+    double g = 1e-5;
+    double nu = TAU.viscosity();
+    Sphere sphere = new Sphere(radius);
+    int steps = 200;
+    double[] a = new double[steps + 1];
+    double speed = 0;
+    double basset = 6 * radius * radius * Math.sqrt(Math.PI * nu);
+    double stokes = 6 * Math.PI * nu * radius;
+    double inertia = (density + 0.5) * sphere.volume() + 2 * basset + stokes;
+    for (int t = 1; t <= steps; t++) {
+      double history = 0;
+      for (int past = 1; past < t; past++) {
+        history += a[past] * 2 * (Math.sqrt(t - past + 1) - Math.sqrt(t - past));
+      }
+      double weight = (density - 1) * sphere.volume() * g;
+      a[t] = (weight - stokes * speed - basset * history) / inertia;
+      speed += a[t];
+    }
+    Body body = Body.free(sphere, density, new Point(21.3, 21.4, 21.5));
+    LbmScheme scheme =
+        LbmScheme.on(Lattice.empty(44, 44, 44, Ends.OPEN, Ends.OPEN, Ends.OPEN))
+            .relaxation(TAU)
+            .immersion(ImmersedBodies.of(body).withGravity(new Point(0, 0, -g)))
+            .build();
+    try (Dispatcher dispatcher = Dispatcher.withWorkers(2)) {
+      dispatcher.loop(scheme).run(steps);
+    }
+    assertEquals(1, -body.uz() / speed, 0.05); // sound, walls, 8 nodes across
   }
 
   @Test

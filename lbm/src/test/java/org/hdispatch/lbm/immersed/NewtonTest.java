@@ -58,12 +58,25 @@ class NewtonTest {
     Body fixed = Body.fixed(new Sphere(5), new Point(50, 50, 50));
     Body free = Body.free(new Sphere(2), 4, new Point(50, 50, 60));
     free.moveAt(0, 0, -0.1);
-    run(Contact.DEFAULT, Point.ZERO, 100, fixed, free);
+    Contact elastic = new Contact(2, 1);
+    run(elastic, Point.ZERO, 100, fixed, free);
     assertEquals(50, fixed.z(), 0);
     Body dense = Body.free(new Sphere(2), DENSE, new Point(50, 50, 60));
     dense.moveAt(0, 0, -0.1);
-    run(Contact.DEFAULT, Point.ZERO, 100, fixed, dense);
+    run(elastic, Point.ZERO, 100, fixed, dense);
     assertEquals(0.1, dense.uz(), 3e-3); // 20 steps in each of the two of a collision
+  }
+
+  @Test
+  void spheresComeToRestOnTheFloorAndOnEachOther() {
+    double g = 1e-4;
+    Body low = Body.free(new Sphere(2), DENSE, new Point(50, 50, 2.5));
+    Body high = Body.free(new Sphere(3), DENSE, new Point(50, 50, 9));
+    run(Contact.DEFAULT, new Point(0, 0, -g), 3_000, low, high);
+    assertEquals(0, low.uz(), 1e-9); // nothing left of 0.02
+    assertEquals(0, high.uz(), 1e-9);
+    assertEquals(1.5, low.z(), 1e-3); // overlap: (1 + m_high/m_low) g over spring/mass, 10/4
+    assertEquals(6.5, high.z(), 1e-3);
   }
 
   @Test
