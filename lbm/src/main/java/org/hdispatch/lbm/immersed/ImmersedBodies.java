@@ -16,9 +16,10 @@ import org.hdispatch.lbm.VelocitySet;
  * Bodies immersed in the flow of one scheme, with the forces between them and the fluid, and their
  * motion (Noble, Torczynski, International Journal of Modern Physics C 9, 1998, 1189).
  *
- * <p><b>Where it holds.</b> At tau near 0.6: there the permeability of spheres on 24³ nodes is
- * right to 1 %. It is 7 to 16 % too high at tau 1 and 32 to 68 % at tau 2, with two relaxation
- * times as with one: see {@link #caution}.
+ * <p><b>Where it holds.</b> At tau near 0.6 with one relaxation time and D3Q15: there the
+ * permeability of simple-cubic spheres on 24³ nodes is right to 1 % (D3Q19: to 2 %). It is 7 to 13
+ * % too high at tau 1, 31 to 59 % at tau 2, 1 to 4 % too low at tau 0.53, and 3 to 8 % too high at
+ * tau 0.6 with two relaxation times at magic number 3/16: see {@link #caution}.
  *
  * <p><b>Nodes.</b> The lattice's own solid nodes stay what they are; a body covers fluid nodes, and
  * the cells inside it must be fluid nodes of the lattice. Bodies repeat themselves with the
@@ -88,9 +89,9 @@ public final class ImmersedBodies implements Immersion {
    */
   public static String caution(Relaxation relaxation) {
     double tau = relaxation.relaxationTime();
-    if (tau > 0.7) {
-      return "immersed moving boundaries are right at tau near 0.6, 7 to 16 % high in permeability"
-          + " at tau 1, 32 to 68 % at tau 2: tau="
+    if (tau > 0.7 || tau < 0.55) {
+      return "immersed moving boundaries are right at tau near 0.6; permeability is 7 to 13 % high at"
+          + " tau 1, 31 to 59 % at tau 2, 1 to 4 % low at tau 0.53: tau="
           + tau;
     }
     return relaxation.omegaPlus() == relaxation.omegaMinus()

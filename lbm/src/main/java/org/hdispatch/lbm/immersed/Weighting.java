@@ -6,8 +6,7 @@ public final class Weighting {
 
   /**
    * B = eps (tau - 1/2) / ((1 - eps) + (tau - 1/2)) (Noble, Torczynski 1998): 0 in fluid, 1 in
-   * solid. Walls then lie where they should at tau near 0.6; the permeability of spheres is 7 to 16
-   * % too high at tau 1 and 32 to 68 % at tau 2.
+   * solid. Walls then lie where they should at tau near 0.6: see {@link ImmersedBodies}.
    *
    * @param solidFraction eps, 0 to 1
    * @param relaxationTime tau, in time steps; exceeds 1/2

@@ -27,12 +27,16 @@ final class ImmersedFlows {
 
   /** Permeability along x of Stokes flow, D3Q15, BGK at tau 0.6, in node spacings². */
   static double permeability(Lattice lattice, Body... bodies) {
+    return permeability(Relaxation.bgk(0.6), lattice, bodies);
+  }
+
+  static double permeability(Relaxation relaxation, Lattice lattice, Body... bodies) {
     double g = 1e-6;
     LbmScheme scheme =
         LbmScheme.on(lattice)
             .velocitySet(VelocitySet.D3Q15)
             .equilibrium(Equilibrium.LINEAR)
-            .relaxation(Relaxation.bgk(0.6))
+            .relaxation(relaxation)
             .force(new BodyForce(g, 0, 0))
             .immersion(ImmersedBodies.of(bodies))
             .build();
