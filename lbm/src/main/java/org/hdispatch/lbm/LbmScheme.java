@@ -148,6 +148,7 @@ public final class LbmScheme implements Scheme<NodalBundle, LbmScheme.Scratch> {
     private final Rows in;
     private final Rows out;
     private final double[][] rows;
+    private final double[][] arriving; // for fluxes
     private final int[] start;
     private final Immersion.Worker immersed; // null: nothing is
     private final int[] numbers = new int[Chunk.NODES]; // of the chunk's nodes
@@ -159,6 +160,7 @@ public final class LbmScheme implements Scheme<NodalBundle, LbmScheme.Scratch> {
       in = Rows.of(storage, velocities);
       out = Rows.of(storage, velocities);
       rows = new double[velocities][Chunk.PADDED];
+      arriving = new double[velocities][Chunk.PADDED];
       start = new int[velocities];
     }
   }
@@ -273,6 +275,43 @@ public final class LbmScheme implements Scheme<NodalBundle, LbmScheme.Scratch> {
         visit(bundle, cursor.node(k), scratch.rows, k, visitor);
       }
     }
+  }
+
+  /**
+   * Visits the fluid nodes of one bundle, between two steps, with the mass flux through each: the
+   * mean of its momentum after the last collision and before the next. In a steady flow the sum
+   * over a cross-section is the same for every section, exactly, whatever walls, force and immersed
+   * bodies there are; away from those it is the momentum of {@link #forEachNode}.
+   */
+  public void forEachFlux(NodalBundle bundle, Scratch scratch, NodeVisitor visitor) {
+    boolean arrivesFromNeighbours = streaming == Streaming.PULL || inPlace() && !streamed;
+    ChunkCursor cursor = scratch.cursor;
+    cursor.begin(bundle.plan());
+    while (cursor.next()) {
+      cursor.read(previous, streamed, scratch.rows);
+      cursor.read(previous, arrivesFromNeighbours, scratch.arriving);
+      for (int k = 0; k < cursor.nodes(); k++) {
+        flux(bundle, cursor.node(k), scratch, k, visitor);
+      }
+    }
+  }
+
+  /** What left the node and what arrives there next, row i against and along velocity i. */
+  private void flux(NodalBundle bundle, int node, Scratch scratch, int k, NodeVisitor visitor) {
+    double[][] left = scratch.rows;
+    double[][] arriving = scratch.arriving;
+    double d = left[0][k];
+    double jx = 0;
+    double jy = 0;
+    double jz = 0;
+    for (int i = 1; i < left.length; i += 2) {
+      double a = (left[i + 1][k] - left[i][k] + arriving[i][k] - arriving[i + 1][k]) / 2;
+      d += left[i + 1][k] + left[i][k];
+      jx += set.cx(i) * a;
+      jy += set.cy(i) * a;
+      jz += set.cz(i) * a;
+    }
+    visitor.visit(bundle.x(node), bundle.y(node), bundle.z(node), 1 + d, jx, jy, jz);
   }
 
   /** Row i holds what left the node against velocity i. */

@@ -9,8 +9,12 @@ public enum CollisionModel {
   /** One relaxation time: k drifts with tau, for comparison with other codes. */
   BGK;
 
-  /** The relaxation rates at this tau. */
-  Relaxation at(double relaxationTime) {
+  /**
+   * The relaxation rates at this tau.
+   *
+   * @throws IllegalArgumentException if {@code relaxationTime} is not a finite number above 0.5
+   */
+  public Relaxation at(double relaxationTime) {
     return this == TRT ? Relaxation.trt(relaxationTime) : Relaxation.bgk(relaxationTime);
   }
 }

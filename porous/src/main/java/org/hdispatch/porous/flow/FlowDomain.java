@@ -1,7 +1,13 @@
 package org.hdispatch.porous.flow;
 
+import java.util.Optional;
 import org.hdispatch.cell.Ends;
 import org.hdispatch.lbm.Lattice;
+import org.hdispatch.lbm.LbmScheme;
+import org.hdispatch.lbm.NodalBundle;
+import org.hdispatch.lbm.immersed.Body;
+import org.hdispatch.lbm.immersed.ImmersedBodies;
+import org.hdispatch.lbm.immersed.Point;
 import org.hdispatch.porous.darcy.Darcy;
 import org.hdispatch.porous.image.Axis;
 import org.hdispatch.porous.pore.PoreSpace;
@@ -15,6 +21,9 @@ final class FlowDomain {
   private static final int MOST_LAYERS = 64;
 
   private final PoreSpace rock;
+  private final Optional<SolidFractions> solid; // of immersed boundaries
+  private final Ends sides;
+  private final Ends ends;
   private final Axis axis;
   private final int layers;
   private final boolean walled;
@@ -28,12 +37,36 @@ final class FlowDomain {
    * @throws IllegalArgumentException if there is no wall at all: nothing would hold the flow back
    */
   FlowDomain(PoreSpace rock, FlowOptions options) {
+    this(rock, Optional.empty(), rock, options);
+  }
+
+  /**
+   * Lays out a lattice for immersed boundaries: its nodes are all voxels that are not wholly solid,
+   * and those beside them.
+   *
+   * @param rock the part that is not wholly solid and in which fluid flows
+   * @throws IllegalArgumentException if there is no wall at all: nothing would hold the flow back
+   */
+  FlowDomain(PoreSpace rock, SolidFractions solid, FlowOptions options) {
+    this(rock, Optional.of(solid), widthOf(rock, solid), options);
+  }
+
+  /** The pores as wide as they are: the voxels that are less than half solid, if there are any. */
+  private static PoreSpace widthOf(PoreSpace rock, SolidFractions solid) {
+    PoreSpace half = solid.below(0.5);
+    return half.poreVoxels() > 0 ? half : rock;
+  }
+
+  private FlowDomain(
+      PoreSpace rock, Optional<SolidFractions> solid, PoreSpace pores, FlowOptions options) {
     this.rock = rock;
+    this.solid = solid;
     axis = options.axis();
-    hydraulicDiameter = PoreWidth.hydraulicDiameter(rock, options);
+    hydraulicDiameter = PoreWidth.hydraulicDiameter(pores, options);
     layers = layers(options, hydraulicDiameter);
     walled = options.sides() == Sides.WALL;
-    Ends sides = options.sides().ends();
+    sides = options.sides().ends();
+    ends = options.inlet().ends();
     lattice =
         new Lattice(
             rock.nx() + 2 * offset(Axis.X),
@@ -67,7 +100,54 @@ final class FlowDomain {
     int inRock = axis.length(x, y, z) - layers;
     return inRock < 0
         || inRock >= length()
-        || rock.isPore(x - offset(Axis.X), y - offset(Axis.Y), z - offset(Axis.Z));
+        || isNode(x - offset(Axis.X), y - offset(Axis.Y), z - offset(Axis.Z));
+  }
+
+  /** Whether a voxel of the rock is a node. */
+  private boolean isNode(int x, int y, int z) {
+    return solid.isEmpty()
+        ? rock.isPore(x, y, z)
+        : solid
+            .get()
+            .matters(
+                x,
+                y,
+                z,
+                axis == Axis.X ? ends : sides,
+                axis == Axis.Y ? ends : sides,
+                axis == Axis.Z ? ends : sides);
+  }
+
+  /** Whether boundaries are immersed. */
+  boolean immersed() {
+    return solid.isPresent();
+  }
+
+  /** The solid as a body in the lattice, if boundaries are immersed. */
+  Optional<ImmersedBodies> bodies() {
+    return solid.map(
+        fractions ->
+            ImmersedBodies.of(
+                Body.fixed(
+                    fractions.coverage(),
+                    new Point(
+                        (rock.nx() - 1) / 2.0 + offset(Axis.X),
+                        (rock.ny() - 1) / 2.0 + offset(Axis.Y),
+                        (rock.nz() - 1) / 2.0 + offset(Axis.Z)))));
+  }
+
+  /** Visits the nodes of a bundle with the flux through each. */
+  void forEachFlux(
+      LbmScheme flow,
+      NodalBundle bundle,
+      LbmScheme.Scratch scratch,
+      LbmScheme.NodeVisitor visitor) {
+    if (solid.isPresent()) {
+      flow.forEachFlux(
+          bundle, scratch, visitor); // a velocity counts for little in a part of a cell
+    } else {
+      flow.forEachNode(bundle, scratch, visitor);
+    }
   }
 
   Lattice lattice() {

@@ -46,7 +46,7 @@ public final class FlowField {
     int x0 = domain.offset(Axis.X);
     int y0 = domain.offset(Axis.Y);
     int z0 = domain.offset(Axis.Z);
-    flow.forEachNode(
+    LbmScheme.NodeVisitor visitor =
         (x, y, z, density, ux, uy, uz) -> {
           int along = domain.axis().length(x, y, z) - domain.layers();
           if (along >= 0 && along < domain.length()) {
@@ -57,7 +57,11 @@ public final class FlowField {
             // The density gives the pressure beside the linear fall for which the force stands.
             field.pressure[voxel] = (float) ((density - 1) / (3 * drive) - fall * (along + 0.5));
           }
-        });
+        };
+    LbmScheme.Scratch scratch = flow.newScratch();
+    for (int n = 0; n < flow.cells().size(); n++) {
+      domain.forEachFlux(flow, flow.cells().cellAt(n), scratch, visitor);
+    }
     field.pressureFromInlet(domain);
     return field;
   }

@@ -52,6 +52,13 @@ public record FlowOptions(
           200_000);
 
   /**
+   * What immersed boundaries ask for: D3Q15 with BGK, at tau 0.6 if none is given. The rest as in
+   * {@link #DEFAULT}.
+   */
+  public static final FlowOptions IMMERSED =
+      DEFAULT.withVelocitySet(VelocitySet.D3Q15).withCollision(CollisionModel.BGK);
+
+  /**
    * Checks the numbers.
    *
    * @throws IllegalArgumentException if tau is not above 1/2, the layers are not 1 to 10 000, the

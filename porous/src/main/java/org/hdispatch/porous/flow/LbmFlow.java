@@ -56,7 +56,54 @@ public final class LbmFlow {
       return SteadyFlow.none(options, space.porosity(), percolation);
     }
     FlowDomain domain = new FlowDomain(percolation.connected(), options);
-    return new Run(dispatcher, space, options, percolation, domain, listener).toSteadyState();
+    return new Run(dispatcher, space.porosity(), options, percolation, domain, listener)
+        .toSteadyState();
+  }
+
+  /**
+   * Computes the steady flow with immersed boundaries (Noble, Torczynski 1998): voxels may be solid
+   * in part. Fluid flows through all of them that are not wholly solid; percolation goes by those.
+   * {@link FlowOptions#IMMERSED} says at which settings that is right.
+   *
+   * @param dispatcher whose workers step
+   * @param solid the solid fractions of the rock
+   * @param options settings
+   * @param listener hears of the progress
+   * @return the flow; k = 0 without a step if no cluster spans
+   * @throws IllegalArgumentException if fluid is nowhere held back by a wall
+   * @throws DivergedException if k becomes infinite or not a number
+   * @throws IllegalStateException if the dispatcher is running a loop or is closed
+   * @throws org.hdispatch.dispatch.KernelException if a worker fails, out of memory say
+   * @throws java.util.concurrent.CancellationException if the caller is interrupted or the
+   *     dispatcher closed meanwhile
+   */
+  public static SteadyFlow solve(
+      Dispatcher dispatcher, SolidFractions solid, FlowOptions options, FlowListener listener) {
+    Objects.requireNonNull(listener, "listener");
+    Percolation percolation =
+        Percolation.along(
+            solid.below(1), options.axis(), options.sides().ends(), options.inlet().ends());
+    if (!percolation.percolates()) {
+      return SteadyFlow.none(options, solid.porosity(), percolation);
+    }
+    FlowDomain domain = new FlowDomain(percolation.connected(), solid, options);
+    return new Run(dispatcher, solid.porosity(), options, percolation, domain, listener)
+        .toSteadyState();
+  }
+
+  /**
+   * Heap that a computation with immersed boundaries needs, in bytes; an estimate from above.
+   *
+   * @throws IllegalArgumentException if fluid is nowhere held back by a wall
+   */
+  public static long estimatedBytes(SolidFractions solid, FlowOptions options) {
+    PoreSpace open = solid.below(1);
+    long beside = Math.min(solid.coveredVoxels(), open.voxels() - open.poreVoxels());
+    long velocities = options.velocitySet().size();
+    return estimatedBytes(open, options)
+        + beside * 2 * velocities * (Double.BYTES + Integer.BYTES)
+        + solid.coveredVoxels() * (2 * Integer.BYTES + 4 * Double.BYTES)
+        + (long) open.voxels() * (2 * Float.BYTES + Integer.BYTES);
   }
 
   /**
@@ -75,7 +122,7 @@ public final class LbmFlow {
 
   /** One computation. */
   private static final class Run {
-    private final PoreSpace space;
+    private final double porosity;
     private final FlowOptions options;
     private final Percolation percolation;
     private final FlowDomain domain;
@@ -91,12 +138,12 @@ public final class LbmFlow {
 
     Run(
         Dispatcher dispatcher,
-        PoreSpace space,
+        double porosity,
         FlowOptions options,
         Percolation percolation,
         FlowDomain domain,
         FlowListener listener) {
-      this.space = space;
+      this.porosity = porosity;
       this.options = options;
       this.percolation = percolation;
       this.domain = domain;
@@ -108,13 +155,14 @@ public final class LbmFlow {
               * domain.rock().porosity()
               * relaxation.viscosity()
               / domain.guessedPermeability();
-      scheme =
+      LbmScheme.Builder builder =
           LbmScheme.on(domain.lattice())
               .velocitySet(options.velocitySet())
               .relaxation(relaxation)
               .equilibrium(Equilibrium.LINEAR)
-              .force(along(options.axis(), force))
-              .build();
+              .force(along(options.axis(), force));
+      domain.bodies().ifPresent(builder::immersion);
+      scheme = builder.build();
       loop = dispatcher.loop(scheme);
       flux = new SectionFlux(dispatcher, domain, scheme);
     }
@@ -145,7 +193,7 @@ public final class LbmFlow {
       listener.stepped();
       return new SteadyFlow(
           options,
-          space.porosity(),
+          porosity,
           percolation,
           permeability,
           error.estimate(),

@@ -24,6 +24,9 @@ final class RelaxationChoice {
   /** BGK permeabilities drift with tau: 1 is what codes that use it use. */
   private static final double BGK = 1;
 
+  /** Where immersed boundaries lie where they should: see {@code ImmersedBodies}. */
+  private static final double IMMERSED = 0.6;
+
   private RelaxationChoice() {}
 
   /**
@@ -39,6 +42,9 @@ final class RelaxationChoice {
   static double choose(FlowOptions options, FlowDomain domain) {
     if (options.relaxationTime().isPresent()) {
       return options.relaxationTime().getAsDouble();
+    }
+    if (domain.immersed()) {
+      return IMMERSED;
     }
     if (options.collision() == CollisionModel.BGK) {
       return BGK;

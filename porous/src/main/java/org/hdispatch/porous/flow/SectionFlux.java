@@ -114,7 +114,7 @@ final class SectionFlux {
     void sum(LbmScheme.Scratch scratch) {
       Arrays.fill(sums, 0);
       highestSquare = 0;
-      flow.forEachNode(bundle, scratch, add);
+      domain.forEachFlux(flow, bundle, scratch, add);
     }
 
     private void add(int x, int y, int z, double density, double ux, double uy, double uz) {

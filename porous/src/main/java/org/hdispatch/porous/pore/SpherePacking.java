@@ -1,5 +1,6 @@
 package org.hdispatch.porous.pore;
 
+import java.util.Arrays;
 import java.util.Locale;
 
 /**
@@ -30,6 +31,11 @@ public enum SpherePacking {
   SpherePacking(double closePacking, double[][] centres) {
     this.closePacking = closePacking;
     this.centres = centres;
+  }
+
+  /** Centres of the spheres of one cell, in edges of the cell; a copy. */
+  public double[][] centres() {
+    return Arrays.stream(centres).map(double[]::clone).toArray(double[][]::new);
   }
 
   /**
