@@ -6,6 +6,7 @@ import java.util.Locale;
 import org.hdispatch.lbm.KernelForm;
 import org.hdispatch.lbm.Storage;
 import org.hdispatch.lbm.Streaming;
+import org.hdispatch.lbm.immersed.SettlingSphere;
 import org.hdispatch.porous.flow.CollisionModel;
 import org.hdispatch.porous.flow.Inlet;
 import org.hdispatch.porous.flow.Sides;
@@ -55,6 +56,20 @@ abstract class Choices implements Iterable<String> {
   static final class OfInlet extends Choices {
     OfInlet() {
       super(Inlet.values());
+    }
+  }
+
+  /** Words for walls. */
+  static final class OfWalls extends Choices {
+    OfWalls() {
+      super(Walls.values());
+    }
+  }
+
+  /** Words for the oils of the settling sphere. */
+  static final class OfFluid extends Choices {
+    OfFluid() {
+      super(SettlingSphere.Fluid.values());
     }
   }
 

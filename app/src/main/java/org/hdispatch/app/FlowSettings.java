@@ -35,7 +35,7 @@ final class FlowSettings {
   @Option(
       names = "--lattice",
       paramLabel = "LATTICE",
-      description = "Velocity set: ${COMPLETION-CANDIDATES}.")
+      description = "Velocity set: ${COMPLETION-CANDIDATES} (--walls imb: D3Q15).")
   private VelocitySet lattice = FlowOptions.DEFAULT.velocitySet();
 
   @Option(
@@ -43,7 +43,9 @@ final class FlowSettings {
       paramLabel = "MODEL",
       defaultValue = "trt",
       completionCandidates = Choices.OfCollision.class,
-      description = "Collision: ${COMPLETION-CANDIDATES}. With trt, k does not depend on tau.")
+      description =
+          "Collision: ${COMPLETION-CANDIDATES} (--walls imb: bgk)."
+              + " With trt and bounce-back, k does not depend on tau.")
   private CollisionModel collision;
 
   @Option(
@@ -51,8 +53,19 @@ final class FlowSettings {
       paramLabel = "T",
       description =
           "Relaxation time, steps; above 0.5. It sets how many steps it takes."
-              + " Default: chosen from the pore space.")
+              + " Default: chosen from the pore space (--walls imb: 0.6, where it is right).")
   private Double tau;
+
+  @Option(
+      names = "--walls",
+      paramLabel = "WALLS",
+      defaultValue = "bounce-back",
+      completionCandidates = Choices.OfWalls.class,
+      converter = Walls.Converter.class,
+      description =
+          "Walls of the pores: ${COMPLETION-CANDIDATES}. With imb, immersed boundaries, voxels may be"
+              + " solid in part: spheres exactly, images by --solid-fraction-range.")
+  private Walls walls;
 
   @Option(
       names = "--sides",
@@ -79,6 +92,10 @@ final class FlowSettings {
           "Layers of fluid at each end, if --inlet is slab. Default: three quarters of the pores'"
               + " hydraulic diameter, from where on k hardly depends on it.")
   private Integer inletLayers;
+
+  Walls walls() {
+    return walls;
+  }
 
   /**
    * The settings for an image.

@@ -63,6 +63,7 @@ public final class HDispatch {
     commandLine.addSubcommand(new InspectCommand(host));
     commandLine.addSubcommand(new PermeabilityCommand(host));
     commandLine.addSubcommand(new DuctCommand(host));
+    commandLine.addSubcommand(new SettleCommand(host));
     commandLine.addSubcommand(new AutoComplete.GenerateCompletion());
     commandLine.setCaseInsensitiveEnumValuesAllowed(true);
     Map<String, String> exitCodes = new LinkedHashMap<>();

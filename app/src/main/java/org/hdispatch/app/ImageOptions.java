@@ -13,7 +13,7 @@ import picocli.CommandLine.Parameters;
 /** Which image, and how it is to be read. */
 final class ImageOptions {
   /** The options that belong to an image and to nothing else. */
-  static final List<String> NAMES = List.of("--dataset", "--dims", "--box", "--pore-value");
+  static final List<String> NAMES = List.of("--dataset", "--dims", "--box", "--pore-value", "--solid-fraction-range");
 
   @Parameters(
       arity = "0..1",
@@ -56,6 +56,17 @@ final class ImageOptions {
   private List<Integer> poreValue;
 
   @Option(
+      names = "--solid-fraction-range",
+      paramLabel = "PORE,SOLID",
+      split = ",",
+      hideParamSyntax = true,
+      description =
+          "With --walls imb, for a grey-scale image in place of a segmented one: the grey values, 0 to"
+              + " 255, of pure pore and pure solid; between them a voxel is solid in part."
+              + " Default: none, the image is segmented, for which imb brings nothing.")
+  private List<Integer> solidFractionRange;
+
+  @Option(
       names = "--voxel-edge",
       paramLabel = "M",
       description = "Edge of a voxel, m. Default: as the file says (HDF5 attribute voxel_size_m).")
@@ -83,6 +94,11 @@ final class ImageOptions {
                 UsageException.orRefused(
                     () ->
                         new VoxelBox(n.get(0), n.get(1), n.get(2), n.get(3), n.get(4), n.get(5))));
+  }
+
+  /** Grey values of pore and solid, if given. */
+  Optional<List<Integer>> solidFractionRange() {
+    return numbers("--solid-fraction-range", solidFractionRange, 2);
   }
 
   private static Optional<List<Integer>> numbers(String name, List<Integer> given, int count) {

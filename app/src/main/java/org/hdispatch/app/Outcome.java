@@ -27,6 +27,10 @@ record Outcome(
     return flow.options();
   }
 
+  Walls walls() {
+    return rock.solid().isPresent() ? Walls.IMB : Walls.BOUNCE_BACK;
+  }
+
   Permeability permeability() {
     return new Permeability(flow.permeability(), rock.voxelEdge());
   }

@@ -66,6 +66,7 @@ final class OutcomeRow {
         .put("hydraulic_diameter_voxel", flow.chosen().hydraulicDiameter())
         .put("spanning_clusters", flow.percolation().spanningClusters())
         .put("isolated_pore_voxels", flow.percolation().isolatedPoreVoxels())
+        .put("walls", Choices.word(outcome.walls()))
         .put("version", Version.ofProject())
         .put("java", Version.ofJava());
   }

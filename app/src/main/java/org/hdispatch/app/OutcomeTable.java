@@ -118,7 +118,8 @@ final class OutcomeTable {
             + options.velocitySet()
             + ", "
             + options.collision()
-            + ", linear equilibrium";
+            + ", linear equilibrium, walls "
+            + Choices.word(outcome.walls());
     table.line("method", method);
     if (!outcome.percolates()) {
       return;

@@ -8,6 +8,7 @@ import java.util.Optional;
 import java.util.OptionalDouble;
 import java.util.concurrent.Callable;
 import org.hdispatch.dispatch.Dispatcher;
+import org.hdispatch.lbm.immersed.ImmersedBodies;
 import org.hdispatch.porous.darcy.PhysicalFlow;
 import org.hdispatch.porous.flow.FlowListener;
 import org.hdispatch.porous.flow.FlowOptions;
@@ -57,9 +58,9 @@ final class PermeabilityCommand implements Callable<Integer> {
     threadOptions.threads();
     Rock rock =
         spheres.packing().isPresent()
-            ? Rock.of(spheres, imageOptions, host)
-            : Rock.of(ImageSource.of(imageOptions), imageOptions, host);
-    requireHeap(rock.space(), options);
+            ? Rock.of(spheres, imageOptions, settings.walls(), host)
+            : Rock.of(ImageSource.of(imageOptions), imageOptions, settings.walls(), host);
+    requireHeap(rock, options);
     if (output.folder().isEmpty()) {
       return report(compute(rock, options, fluid), Optional.empty());
     }
@@ -76,7 +77,11 @@ final class PermeabilityCommand implements Callable<Integer> {
       if (host.terminal() && !output.quiet()) {
         listeners.add(progress);
       }
-      SteadyFlow flow = LbmFlow.solve(dispatcher, rock.space(), options, new Listeners(listeners));
+      FlowListener all = new Listeners(listeners);
+      SteadyFlow flow =
+          rock.solid().isPresent()
+              ? LbmFlow.solve(dispatcher, rock.solid().get(), options, all)
+              : LbmFlow.solve(dispatcher, rock.space(), options, all);
       return new Outcome(rock, fluid, flow, threadOptions.threads(), figures(collector));
     }
   }
@@ -107,7 +112,26 @@ final class PermeabilityCommand implements Callable<Integer> {
           "Reynolds number should be below 1 for Darcy's law to hold at this pressure gradient: Re="
               + Numbers.significant(reynolds.getAsDouble(), 3));
     }
+    if (outcome.rock().solid().isPresent()) {
+      warnOfImmersion(outcome);
+    }
     return outcome.flow().converged() ? ExitCode.DONE.code() : notConverged(outcome);
+  }
+
+  private void warnOfImmersion(Outcome outcome) {
+    if (spheres.packing().isEmpty() && imageOptions.solidFractionRange().isEmpty()) {
+      warn(
+          "immersed boundaries bring nothing to a segmented image (grey values need"
+              + " --solid-fraction-range): image="
+              + outcome.rock().name());
+    }
+    if (outcome.percolates()) {
+      double tau = outcome.flow().chosen().relaxationTime();
+      String caution = ImmersedBodies.caution(outcome.options().collision().at(tau));
+      if (!caution.isEmpty()) {
+        warn(caution);
+      }
+    }
   }
 
   private int notConverged(Outcome outcome) {
@@ -134,20 +158,39 @@ final class PermeabilityCommand implements Callable<Integer> {
 
   private FlowOptions flowOptions() {
     FlowOptions options = settings.options();
+    if (settings.walls() == Walls.IMB) {
+      if (!given().hasMatchedOption("--lattice")) {
+        options = options.withVelocitySet(FlowOptions.IMMERSED.velocitySet());
+      }
+      if (!given().hasMatchedOption("--collision")) {
+        options = options.withCollision(FlowOptions.IMMERSED.collision());
+      }
+    }
     return spheres.packing().isPresent()
         ? options.withBoundaries(Sides.PERIODIC, Inlet.PERIODIC)
         : options;
   }
 
-  private void requireHeap(PoreSpace space, FlowOptions options) {
+  private void requireHeap(Rock rock, FlowOptions options) {
+    PoreSpace space = rock.space();
     long flow = // refused: rock without any wall
-        UsageException.orRefused(() -> LbmFlow.estimatedBytes(space, options));
+        UsageException.orRefused(
+            () ->
+                rock.solid().isPresent()
+                    ? LbmFlow.estimatedBytes(rock.solid().get(), options)
+                    : LbmFlow.estimatedBytes(space, options));
     double bytes = flow + (double) space.voxels() * Rock.BYTES_PER_VOXEL;
     host.requireHeap("the flow of " + space.poreVoxels() + " pore voxels", bytes);
   }
 
   private void checkCombinations() {
     output.folder();
+    if (settings.walls() != Walls.IMB) {
+      refuse("--solid-fraction-range", "--walls imb");
+    }
+    if (imageOptions.solidFractionRange().isPresent()) {
+      refuse("--pore-value", "a segmented image, not --solid-fraction-range");
+    }
     if (spheres.packing().isPresent()) {
       if (imageOptions.image().isPresent()) {
         throw new UsageException(

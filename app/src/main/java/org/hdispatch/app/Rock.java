@@ -4,7 +4,9 @@ import java.util.ArrayList;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.Optional;
 import java.util.OptionalDouble;
+import org.hdispatch.porous.flow.SolidFractions;
 import org.hdispatch.porous.image.LabelRule;
 import org.hdispatch.porous.image.VoxelBox;
 import org.hdispatch.porous.image.VoxelImage;
@@ -15,7 +17,8 @@ import org.hdispatch.porous.pore.PoreSpace;
  * A pore space and where it comes from.
  *
  * @param name what it is called
- * @param space the pore space
+ * @param space the pore space; of voxels solid in part, those that are less than half
+ * @param solid solid fractions, if walls are immersed
  * @param voxelEdge edge of a voxel, m, if known
  * @param origin how it was made: key, value
  * @param citation what to cite, line by line
@@ -23,6 +26,7 @@ import org.hdispatch.porous.pore.PoreSpace;
 record Rock(
     String name,
     PoreSpace space,
+    Optional<SolidFractions> solid,
     OptionalDouble voxelEdge,
     Map<String, Object> origin,
     List<String> citation) {
@@ -40,7 +44,8 @@ record Rock(
    * @throws UsageException if the box does not fit the image, or no voxel edge is known
    * @throws ImageFileException if the image cannot be read, or has no pore there
    */
-  static Rock of(ImageSource source, ImageOptions options, Host host) throws ImageFileException {
+  static Rock of(ImageSource source, ImageOptions options, Walls walls, Host host)
+      throws ImageFileException {
     LabelRule rule = options.rule();
     VoxelBox box = boxOf(source, options);
     OptionalDouble edge = options.voxelEdgeOr(source.voxelEdge());
@@ -50,10 +55,19 @@ record Rock(
               + source.name());
     }
     VoxelImage image = read(source, box, host);
-    PoreSpace space = PoreSpace.of(image, rule);
+    Optional<List<Integer>> range = options.solidFractionRange();
+    Optional<SolidFractions> solid =
+        range.map(
+            grey ->
+                UsageException.orRefused(
+                    () -> SolidFractions.ofGrey(image, grey.get(0), grey.get(1))));
+    PoreSpace space = solid.map(each -> each.below(0.5)).orElse(PoreSpace.of(image, rule));
+    if (walls == Walls.IMB && solid.isEmpty()) {
+      solid = Optional.of(SolidFractions.of(space));
+    }
     if (space.poreVoxels() == 0) {
       throw new ImageFileException(
-          "image must have pore voxels (--pore-value says which labels are pore): file="
+          "image must have pore voxels (--pore-value or --solid-fraction-range says which are pore): file="
               + source.name()
               + ", box="
               + box
@@ -65,12 +79,16 @@ record Rock(
     Map<String, Object> origin = new LinkedHashMap<>();
     origin.put("image", source.name());
     origin.put("box", box.toString());
-    origin.put("pore_values", rule.toString().replace("pore=", ""));
-    return new Rock(source.name(), space, edge, origin, source.citation());
+    if (range.isPresent()) {
+      origin.put("solid_fraction_range", range.get().get(0) + "," + range.get().get(1));
+    } else {
+      origin.put("pore_values", rule.toString().replace("pore=", ""));
+    }
+    return new Rock(source.name(), space, solid, edge, origin, source.citation());
   }
 
   /** Regular spheres. */
-  static Rock of(SphereOptions spheres, ImageOptions options, Host host) {
+  static Rock of(SphereOptions spheres, ImageOptions options, Walls walls, Host host) {
     OptionalDouble edge = options.voxelEdgeOr(OptionalDouble.empty());
     PoreSpace space = spheres.poreSpace(host);
     String packing = Choices.word(spheres.packing().orElseThrow());
@@ -78,7 +96,7 @@ record Rock(
     origin.put("spheres", packing);
     origin.put("solid_fraction", spheres.solidFraction());
     String name = packing + " spheres, solid fraction " + spheres.solidFraction();
-    return new Rock(name, space, edge, origin, List.of());
+    return new Rock(name, space, spheres.solid(walls), edge, origin, List.of());
   }
 
   /** The box to take, checked to lie inside. */

@@ -2,6 +2,7 @@ package org.hdispatch.app;
 
 import java.util.List;
 import java.util.Optional;
+import org.hdispatch.porous.flow.SolidFractions;
 import org.hdispatch.porous.pore.PoreSpace;
 import org.hdispatch.porous.pore.SpherePacking;
 import picocli.CommandLine.Option;
@@ -56,5 +57,12 @@ final class SphereOptions {
     double voxels = Math.pow(size, 3);
     host.requireHeap("spheres of " + size + "^3 voxels", voxels * Rock.BYTES_PER_VOXEL);
     return UsageException.orRefused(() -> packing.poreSpace(size, solidFraction));
+  }
+
+  /** How much of each voxel the spheres take, exactly, if walls are immersed. */
+  Optional<SolidFractions> solid(Walls walls) {
+    return walls == Walls.IMB
+        ? Optional.of(SolidFractions.of(packing, size, solidFraction))
+        : Optional.empty();
   }
 }

@@ -19,7 +19,7 @@ class HelpTest {
 
   @Test
   void everyCommandHelpsAndTellsItsVersion() {
-    assertEquals(5, commands().size());
+    assertEquals(6, commands().size());
     for (CommandLine command : commands()) {
       List<String> words =
           new ArrayList<>(List.of(command.getCommandSpec().qualifiedName().split(" ")));

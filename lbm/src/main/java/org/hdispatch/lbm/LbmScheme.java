@@ -335,8 +335,13 @@ public final class LbmScheme implements Scheme<NodalBundle, LbmScheme.Scratch> {
    * collision, node by node in the order of {@link #forEachNode}, big-endian doubles.
    *
    * @throws IOException if the stream does
+   * @throws IllegalStateException if something is immersed, whose state is not known here
    */
   public void save(DataOutput out) throws IOException {
+    if (immersion != null) {
+      throw new IllegalStateException(
+          "state must be of fluid alone to be saved: immersion=" + immersion);
+    }
     out.writeLong(fingerprint());
     for (int n = 0; n < bundles.size(); n++) {
       scratch.cursor.begin(bundles.cellAt(n).plan());
@@ -368,6 +373,7 @@ public final class LbmScheme implements Scheme<NodalBundle, LbmScheme.Scratch> {
               + ", here="
               + Long.toHexString(fingerprint()));
     }
+    acted = force;
     for (int n = 0; n < bundles.size(); n++) {
       scratch.cursor.begin(bundles.cellAt(n).plan());
       while (scratch.cursor.next()) {

@@ -95,6 +95,29 @@ public final class SettlingSphere {
             .build();
   }
 
+  /**
+   * Sets the experiment up, at rest.
+   *
+   * @param nodes across the sphere, at least 3
+   * @throws IllegalArgumentException if {@code nodes} is less than 3
+   */
+  public static SettlingSphere across(Fluid fluid, int nodes) {
+    if (nodes < 3) {
+      throw new IllegalArgumentException(
+          "nodes across the sphere must number at least 3: nodes=" + nodes);
+    }
+    return new SettlingSphere(fluid, boxWidth(nodes));
+  }
+
+  private static int boxWidth(int nodesAcrossSphere) {
+    return (int) Math.round(nodesAcrossSphere * WIDTH / (2 * RADIUS));
+  }
+
+  /** Nodes of the box with so many across the sphere. */
+  public static double boxNodes(int nodesAcrossSphere) {
+    return Math.pow(nodesAcrossSphere * WIDTH / (2 * RADIUS), 3) * HEIGHT / WIDTH;
+  }
+
   /** The scheme, to be run by a loop. */
   public LbmScheme scheme() {
     return scheme;
