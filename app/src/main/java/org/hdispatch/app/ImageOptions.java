@@ -13,7 +13,8 @@ import picocli.CommandLine.Parameters;
 /** Which image, and how it is to be read. */
 final class ImageOptions {
   /** The options that belong to an image and to nothing else. */
-  static final List<String> NAMES = List.of("--dataset", "--dims", "--box", "--pore-value", "--solid-fraction-range");
+  static final List<String> NAMES =
+      List.of("--dataset", "--dims", "--box", "--pore-value", "--solid-fraction-range");
 
   @Parameters(
       arity = "0..1",

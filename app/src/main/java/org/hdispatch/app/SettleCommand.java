@@ -78,7 +78,8 @@ final class SettleCommand implements Callable<Integer> {
           "nodes across the sphere must number 3 to " + MOST_ACROSS + ": nodes=" + nodesAcross);
     }
     double nodes = SettlingSphere.boxNodes(nodesAcross);
-    host.requireHeap(String.format(Locale.ROOT, "a box of %.0f nodes", nodes), nodes * BYTES_PER_NODE);
+    host.requireHeap(
+        String.format(Locale.ROOT, "a box of %.0f nodes", nodes), nodes * BYTES_PER_NODE);
     SettlingSphere settling = SettlingSphere.across(fluid, nodesAcross);
     long started = System.nanoTime();
     try (Dispatcher dispatcher = Dispatcher.withWorkers(threads)) {

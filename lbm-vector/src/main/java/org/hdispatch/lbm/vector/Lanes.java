@@ -17,12 +17,31 @@ final class Lanes {
 
   private Lanes() {}
 
-  static DoubleVector load(float[] from, int at) {
-    return (DoubleVector)
-        FloatVector.fromArray(FLOATS, from, at).convertShape(VectorOperators.F2D, DOUBLES, 0);
+  /** Copies n numbers from single to double precision. */
+  static void widen(float[] from, int at, double[] to, int n) {
+    int whole = DOUBLES.loopBound(n);
+    for (int k = 0; k < whole; k += DOUBLES.length()) {
+      FloatVector.fromArray(FLOATS, from, at + k)
+          .convertShape(VectorOperators.F2D, DOUBLES, 0)
+          .reinterpretAsDoubles()
+          .intoArray(to, k);
+    }
+    for (int k = whole; k < n; k++) {
+      to[k] = from[at + k];
+    }
   }
 
-  static void store(DoubleVector vector, float[] to, int at) {
-    ((FloatVector) vector.convertShape(VectorOperators.D2F, FLOATS, 0)).intoArray(to, at);
+  /** Copies n numbers from double to single precision. */
+  static void narrow(double[] from, float[] to, int at, int n) {
+    int whole = DOUBLES.loopBound(n);
+    for (int k = 0; k < whole; k += DOUBLES.length()) {
+      DoubleVector.fromArray(DOUBLES, from, k)
+          .convertShape(VectorOperators.D2F, FLOATS, 0)
+          .reinterpretAsFloats()
+          .intoArray(to, at + k);
+    }
+    for (int k = whole; k < n; k++) {
+      to[at + k] = (float) from[k];
+    }
   }
 }

@@ -20,7 +20,6 @@ final class KernelSource {
   private final StringBuilder text = new StringBuilder();
   private String margin = "";
   private boolean vectors; // else single nodes
-  private boolean single; // else double precision
   private String out; // arrays written to: "in" in place, else "out"
 
   private KernelSource(VelocitySet set, Equilibrium equilibrium) {
@@ -57,33 +56,26 @@ final class KernelSource {
     line("import jdk.incubator.vector.DoubleVector;");
     line("import jdk.incubator.vector.VectorSpecies;");
     line("import org.hdispatch.lbm.CollisionCoefficients;");
-    line("import org.hdispatch.lbm.CollisionKernel;");
     line("");
     String form = quadratic ? "quadratic" : "linear";
     line("/** " + set + ", " + form + " equilibrium. Written by KernelSource: do not edit. */");
-    open("final class " + name + " implements CollisionKernel");
+    open("final class " + name + " extends VectorKernel");
     line("private static final VectorSpecies<Double> DOUBLES = Lanes.DOUBLES;");
     line("");
     line("private final CollisionCoefficients c;");
     line("");
     open(name + "(CollisionCoefficients coefficients)");
+    line("super(coefficients.set());");
     line("c = coefficients;");
     close();
-    for (boolean precision : new boolean[] {false, true}) {
-      single = precision;
-      line("");
-      methods();
-    }
+    line("");
+    methods();
     close();
     return text.toString();
   }
 
-  private String type() {
-    return single ? "float" : "double";
-  }
-
   private void methods() {
-    String arrays = type() + "[][] ";
+    String arrays = "double[][] ";
     String places = arrays + "in, int[] inAt, " + arrays + "out, int[] outAt, ";
     line("@Override");
     line("public void collide(");
@@ -134,7 +126,7 @@ final class KernelSource {
   private void constants() {
     for (String rows : out.equals("in") ? List.of("in") : List.of("in", "out")) {
       for (int i = 0; i < set.size(); i++) {
-        line("final " + type() + "[] " + rows + i + " = " + rows + "[" + i + "];");
+        line("final double[] " + rows + i + " = " + rows + "[" + i + "];");
         line("final int " + rows + "At" + i + " = " + rows + "At[" + i + "];");
       }
     }
@@ -273,16 +265,13 @@ final class KernelSource {
     if (!vectors) {
       return "in" + i + "[inAt" + i + " + k]";
     }
-    return single ? "Lanes.load(" + place + ")" : "DoubleVector.fromArray(DOUBLES, " + place + ")";
+    return "DoubleVector.fromArray(DOUBLES, " + place + ")";
   }
 
   private void store(int i, String expression) {
     String place = out + i + ", " + out + "At" + i + " + k";
     if (!vectors) {
-      String cast = single ? "(float) (" + expression + ")" : expression;
-      line(out + i + "[" + out + "At" + i + " + k] = " + cast + ";");
-    } else if (single) {
-      line("Lanes.store(" + expression + ", " + place + ");");
+      line(out + i + "[" + out + "At" + i + " + k] = " + expression + ";");
     } else {
       line(expression + ".intoArray(" + place + ");");
     }
