@@ -1,10 +1,10 @@
 /**
- * The lattice Boltzmann method over nodal bundles, two copies of the populations, pull order.
+ * The lattice Boltzmann method over nodal bundles.
  *
- * <p>One step of one bundle: the previous populations of the nodes' neighbours are gathered into
- * the worker's scratch ({@code StreamPlan}: runs of nodes, walls and periodic sides included),
- * collided there ({@link org.hdispatch.lbm.Collision}), and stored as the bundle's current
- * populations.
+ * <p>One step of one bundle: populations are read from the slots of the neighbours or from the
+ * nodes' own, collided by a {@link org.hdispatch.lbm.CollisionKernel}, and written to the slots of
+ * the neighbours or to their own, as {@link org.hdispatch.lbm.Streaming} says; {@code StreamPlan}
+ * knows the neighbours' slots, walls and periodic ends included.
  *
  * <p>Populations are kept as deviations from their weights, f_i - w_i: a fluid at rest with density
  * 1 is all zeros. Lattice units throughout: node spacing 1, time step 1, mean density 1.
