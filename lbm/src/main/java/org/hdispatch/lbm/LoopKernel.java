@@ -21,7 +21,6 @@ final class LoopKernel implements CollisionKernel {
   private final int volume;
   private final int base;
   private final int along;
-  private final int form;
   private final CollisionCoefficients coefficients;
   private final RowOperation[] operations;
 
@@ -34,8 +33,7 @@ final class LoopKernel implements CollisionKernel {
     volume = velocities + 4;
     base = velocities + 5;
     along = velocities + 6;
-    form = velocities + 7;
-    rows = new double[velocities + 8][Chunk.PADDED];
+    rows = new double[velocities + 7][Chunk.PADDED];
     operations = operations(set, coefficients).toArray(RowOperation[]::new);
   }
 
@@ -57,11 +55,10 @@ final class LoopKernel implements CollisionKernel {
       if (projected == along) {
         list.add(project(set, i));
       }
-      if (quadratic) {
-        list.add(new Form(projected, volume, base, c, p, form));
-      }
-      int even = quadratic ? form : density;
-      list.add(new Pair(p, even, projected, c));
+      list.add(
+          quadratic
+              ? new QuadraticPair(p, projected, volume, base, c)
+              : new LinearPair(p, projected, density, c));
     }
     return list;
   }
@@ -333,33 +330,44 @@ final class LoopKernel implements CollisionKernel {
     }
   }
 
-  /** v c.j (curvature c.j + along) + base. */
-  private record Form(
-      int projected, int volume, int base, CollisionCoefficients c, int pair, int to)
-      implements RowOperation {
-    @Override
-    public void apply(double[][] rows, int n) {
-      double[] cj = rows[projected];
-      double[] v = rows[volume];
-      double[] b = rows[base];
-      double[] row = rows[to];
-      double q = c.curvature;
-      double l = c.along[pair];
-      for (int k = 0; k < n; k++) {
-        row[k] = Math.fma(v[k] * cj[k], Math.fma(q, cj[k], l), b[k]);
-      }
-    }
-  }
-
-  /** Relaxes a pair and turns it round. */
-  private record Pair(int pair, int form, int projected, CollisionCoefficients c)
+  /** Relaxes a pair towards the quadratic equilibrium and turns it round. */
+  private record QuadraticPair(
+      int pair, int projected, int volume, int base, CollisionCoefficients c)
       implements RowOperation {
     @Override
     public void apply(double[][] rows, int n) {
       double[] f = rows[2 * pair - 1];
       double[] g = rows[2 * pair];
-      double[] row = rows[form];
       double[] cj = rows[projected];
+      double[] v = rows[volume];
+      double[] b = rows[base];
+      double own = c.keep;
+      double other = c.cross;
+      double e = c.even[pair];
+      double o = c.odd[pair];
+      double p = c.push[pair];
+      double q = c.curvature;
+      double l = c.along[pair];
+      for (int k = 0; k < n; k++) {
+        double forth = f[k];
+        double back = g[k];
+        double rise = e * Math.fma(v[k] * cj[k], Math.fma(q, cj[k], l), b[k]);
+        double drift = Math.fma(o, cj[k], p);
+        f[k] = Math.fma(own, back, Math.fma(other, forth, rise)) - drift;
+        g[k] = Math.fma(own, forth, Math.fma(other, back, rise)) + drift;
+      }
+    }
+  }
+
+  /** Relaxes a pair towards the linear equilibrium and turns it round. */
+  private record LinearPair(int pair, int projected, int density, CollisionCoefficients c)
+      implements RowOperation {
+    @Override
+    public void apply(double[][] rows, int n) {
+      double[] f = rows[2 * pair - 1];
+      double[] g = rows[2 * pair];
+      double[] cj = rows[projected];
+      double[] d = rows[density];
       double own = c.keep;
       double other = c.cross;
       double e = c.even[pair];
@@ -368,7 +376,7 @@ final class LoopKernel implements CollisionKernel {
       for (int k = 0; k < n; k++) {
         double forth = f[k];
         double back = g[k];
-        double rise = e * row[k];
+        double rise = e * d[k];
         double drift = Math.fma(o, cj[k], p);
         f[k] = Math.fma(own, back, Math.fma(other, forth, rise)) - drift;
         g[k] = Math.fma(own, forth, Math.fma(other, back, rise)) + drift;
