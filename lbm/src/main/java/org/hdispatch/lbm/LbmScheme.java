@@ -311,7 +311,8 @@ public final class LbmScheme implements Scheme<NodalBundle, LbmScheme.Scratch> {
       jy += set.cy(i) * a;
       jz += set.cz(i) * a;
     }
-    visitor.visit(bundle.x(node), bundle.y(node), bundle.z(node), 1 + d, jx, jy, jz);
+    int place = bundle.position(node); // looked up once
+    visitor.visit(bundle.xAt(place), bundle.yAt(place), bundle.zAt(place), 1 + d, jx, jy, jz);
   }
 
   /** Row i holds what left the node against velocity i. */
@@ -327,7 +328,8 @@ public final class LbmScheme implements Scheme<NodalBundle, LbmScheme.Scratch> {
       jy += set.cy(i) * a;
       jz += set.cz(i) * a;
     }
-    visitor.visit(bundle.x(node), bundle.y(node), bundle.z(node), 1 + d, jx, jy, jz);
+    int place = bundle.position(node); // looked up once
+    visitor.visit(bundle.xAt(place), bundle.yAt(place), bundle.zAt(place), 1 + d, jx, jy, jz);
   }
 
   /**

@@ -69,23 +69,35 @@ public final class NodalBundle {
   }
 
   /** Position of a node within the box. */
-  private int position(int node) {
+  int position(int node) {
     return runs.position(node);
   }
 
   /** First coordinate of a node in the lattice. */
   public int x(int node) {
-    return x0 + position(node) % nx;
+    return xAt(position(node));
   }
 
   /** Second coordinate of a node in the lattice. */
   public int y(int node) {
-    return y0 + position(node) / nx % ny;
+    return yAt(position(node));
   }
 
   /** Third coordinate of a node in the lattice. */
   public int z(int node) {
-    return z0 + position(node) / (nx * ny);
+    return zAt(position(node));
+  }
+
+  int xAt(int position) {
+    return x0 + position % nx;
+  }
+
+  int yAt(int position) {
+    return y0 + position / nx % ny;
+  }
+
+  int zAt(int position) {
+    return z0 + position / (nx * ny);
   }
 
   /** Bytes held: populations, streaming plan, places of the nodes. */
