@@ -28,10 +28,10 @@ import org.openjdk.jmh.annotations.Warmup;
  *
  * <p>Expected: in place moves 2 Q numbers a node and holds Q, pull and push move 3 Q and hold 2 Q:
  * in place 1.5 to 2 times as fast, and half the memory; push like pull; D3Q19 0.8 of D3Q15. Side 10
- * slowest, long in x best, for its rows are long. With vector kernels the memory is the limit, and
- * single precision 1.7 times as fast as double. Loops come to a fourth of the bandwidth: computing
- * is their limit, and single precision gains memory only. The reference last, for it computes node
- * by node.
+ * slowest, long in x best, for its rows are long. With vector kernels the memory is the limit in
+ * double precision; single precision gains memory only, for it is computed in double and the change
+ * costs more than it saves. Loops come to a fourth of the bandwidth: computing is their limit. The
+ * reference last, for it computes node by node.
  *
  * <p>Side 200, D3Q15, double holds 1 GB in place and 2 GB otherwise; give 3 GB more than that. To
  * G1 an array of more than half a region is humongous and takes whole regions: {@code

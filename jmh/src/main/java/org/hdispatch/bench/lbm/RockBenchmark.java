@@ -31,8 +31,8 @@ import org.openjdk.jmh.annotations.Warmup;
  *
  * <p>Expected: only fluid nodes are stored, so the rate falls little with porosity: in tight rock
  * rows are short and more nodes go through links, which costs time and some bytes a node; but at
- * porosity 0.1 its 15 MB also fit into many a last-level cache. Large bundles and those long in x
- * are best where the rock is open; in tight rock the shape hardly matters.
+ * porosity 0.1 its 15 MB also fit into many a last-level cache. Large bundles are best, in tight
+ * rock too: fewer links lead from one to another.
  *
  * <pre>{@code
  * java -jar jmh/target/benchmarks.jar RockBenchmark
