@@ -6,7 +6,7 @@ import org.hdispatch.lbm.VelocitySet;
 /**
  * What the kernels have in common: nodes stored in single precision, which are changed to double in
  * chunks that stay in the L1 cache. (Changing them within the kernels' one loop makes it too large
- * for C2 to compile without boxing vectors: a tenth of the speed.)
+ * for C2 to compile without boxing vectors: a fifth of the speed.)
  */
 abstract class VectorKernel implements CollisionKernel {
   private static final int CHUNK = 128;
