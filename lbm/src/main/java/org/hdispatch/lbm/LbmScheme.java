@@ -21,10 +21,8 @@ import org.hdispatch.dispatch.Tick;
 public final class LbmScheme implements Scheme<NodalBundle, LbmScheme.Scratch> {
   private final VelocitySet set;
   private final Relaxation relaxation;
-  private final Equilibrium equilibrium;
   private BodyForce force; // of the next step
   private BodyForce acted; // in the last step
-  private final Streaming streaming;
   private final Storage storage;
   private final Immersion immersion; // null: none
   private final CollisionCoefficients coefficients;
@@ -32,30 +30,31 @@ public final class LbmScheme implements Scheme<NodalBundle, LbmScheme.Scratch> {
   private final CellMap<NodalBundle> bundles;
   private final long nodes;
   private final Scratch scratch; // the caller's, between steps
-  private int previous; // copy that holds the populations
-  private boolean streamed; // whether they stand where the next step reads them
+  private final Phase phase;
+  private final Moments moments;
+  private final SavedState savedState;
 
   private LbmScheme(Builder builder) {
     set = builder.set;
     relaxation = builder.relaxation;
-    equilibrium = builder.equilibrium;
     force = builder.force;
-    streaming = builder.streaming;
     storage = builder.storage;
     kernels = builder.form.kernels();
     immersion = builder.immersion;
-    coefficients = new Collision(set, relaxation, equilibrium, force).coefficients();
-    bundles = BundleMap.of(builder.lattice, set, builder.bundleSize(), storage, streaming);
+    coefficients = new Collision(set, relaxation, builder.equilibrium, force).coefficients();
+    bundles = BundleMap.of(builder.lattice, set, builder.bundleSize(), storage, builder.streaming);
     long sum = 0;
     for (int n = 0; n < bundles.size(); n++) {
       sum += bundles.cellAt(n).nodes();
     }
     nodes = sum;
     if (immersion != null) {
-      immersion.placeIn(builder.lattice, set, relaxation, equilibrium, bundles);
+      immersion.placeIn(builder.lattice, set, relaxation, builder.equilibrium, bundles);
     }
     scratch = newScratch();
-    streamed = streaming == Streaming.PUSH;
+    phase = new Phase(builder.streaming);
+    moments = new Moments(set, builder.equilibrium, phase);
+    savedState = new SavedState(set, bundles, phase);
     initialise((x, y, z, state) -> {});
   }
 
@@ -89,7 +88,7 @@ public final class LbmScheme implements Scheme<NodalBundle, LbmScheme.Scratch> {
     /** Velocity, third component. */
     public double uz;
 
-    private NodeState() {}
+    NodeState() {}
   }
 
   /**
@@ -100,25 +99,7 @@ public final class LbmScheme implements Scheme<NodalBundle, LbmScheme.Scratch> {
     acted = force;
     NodeState state = new NodeState();
     for (int n = 0; n < bundles.size(); n++) {
-      NodalBundle bundle = bundles.cellAt(n);
-      scratch.cursor.begin(bundle.plan());
-      while (scratch.cursor.next()) {
-        for (int k = 0; k < scratch.cursor.nodes(); k++) {
-          int node = scratch.cursor.node(k);
-          state.density = 1;
-          state.ux = 0;
-          state.uy = 0;
-          state.uz = 0;
-          initial.at(bundle.x(node), bundle.y(node), bundle.z(node), state);
-          for (int i = 0; i < set.size(); i++) {
-            double along = set.cx(i) * force.x() + set.cy(i) * force.y() + set.cz(i) * force.z();
-            scratch.rows[set.opposite(i)][k] =
-                equilibrium.deviation(set, i, state.density, state.ux, state.uy, state.uz)
-                    + set.weight(i) * 3 * along / 2;
-          }
-        }
-        scratch.cursor.write(previous, streamed, scratch.rows);
-      }
+      moments.initialise(bundles.cellAt(n), scratch, force, state, initial);
     }
   }
 
@@ -144,11 +125,11 @@ public final class LbmScheme implements Scheme<NodalBundle, LbmScheme.Scratch> {
   /** What a worker needs to step: a kernel, and the rows of one chunk of nodes. */
   public static final class Scratch {
     private final CollisionKernel kernel;
-    private final ChunkCursor cursor = new ChunkCursor();
+    final ChunkCursor cursor = new ChunkCursor();
     private final Rows in;
     private final Rows out;
-    private final double[][] rows;
-    private final double[][] arriving; // for fluxes
+    final double[][] rows;
+    final double[][] arriving; // for fluxes
     private final int[] start;
     private final Immersion.Worker immersed; // null: nothing is
     private final int[] numbers = new int[Chunk.NODES]; // of the chunk's nodes
@@ -166,12 +147,13 @@ public final class LbmScheme implements Scheme<NodalBundle, LbmScheme.Scratch> {
   }
 
   private void streamCollide(NodalBundle bundle, Scratch scratch, Tick tick) {
-    boolean readsNeighbours = streaming == Streaming.PULL || inPlace() && !streamed;
-    boolean writesNeighbours = streaming == Streaming.PUSH || inPlace() && !streamed;
-    int current = (previous + 1) % streaming.copies();
+    boolean readsNeighbours = phase.readsNeighbours();
+    boolean writesNeighbours = phase.writesNeighbours();
+    int previous = phase.previous();
+    int current = phase.current();
     StreamPlan plan = bundle.plan();
     if (scratch.immersed != null && scratch.immersed.enter(bundle)) {
-      immersed(plan, scratch, current, readsNeighbours, writesNeighbours);
+      immersed(plan, scratch, previous, current, readsNeighbours, writesNeighbours);
       return;
     }
     if (!readsNeighbours && !writesNeighbours) {
@@ -183,7 +165,7 @@ public final class LbmScheme implements Scheme<NodalBundle, LbmScheme.Scratch> {
       int at = segment * plan.segmentLength();
       plan.pointAtSegment(scratch.in, at, previous, readsNeighbours);
       Rows out = scratch.in;
-      if (!inPlace()) {
+      if (current != previous) {
         out = scratch.out;
         plan.pointAtSegment(out, at, current, writesNeighbours);
       }
@@ -204,6 +186,7 @@ public final class LbmScheme implements Scheme<NodalBundle, LbmScheme.Scratch> {
   private void immersed(
       StreamPlan plan,
       Scratch scratch,
+      int previous,
       int current,
       boolean readsNeighbours,
       boolean writesNeighbours) {
@@ -225,14 +208,9 @@ public final class LbmScheme implements Scheme<NodalBundle, LbmScheme.Scratch> {
     }
   }
 
-  private boolean inPlace() {
-    return streaming == Streaming.IN_PLACE;
-  }
-
   @Override
   public void afterStep(Tick tick) {
-    previous = (previous + 1) % streaming.copies();
-    streamed = streaming == Streaming.PUSH || inPlace() && !streamed;
+    phase.advance();
     acted = force;
     if (immersion != null) {
       immersion.afterStep();
@@ -267,14 +245,7 @@ public final class LbmScheme implements Scheme<NodalBundle, LbmScheme.Scratch> {
    * them.
    */
   public void forEachNode(NodalBundle bundle, Scratch scratch, NodeVisitor visitor) {
-    ChunkCursor cursor = scratch.cursor;
-    cursor.begin(bundle.plan());
-    while (cursor.next()) {
-      cursor.read(previous, streamed, scratch.rows);
-      for (int k = 0; k < cursor.nodes(); k++) {
-        visit(bundle, cursor.node(k), scratch.rows, k, visitor);
-      }
-    }
+    moments.forEachNode(bundle, scratch, acted, visitor);
   }
 
   /**
@@ -284,52 +255,7 @@ public final class LbmScheme implements Scheme<NodalBundle, LbmScheme.Scratch> {
    * bodies there are; away from those it is the momentum of {@link #forEachNode}.
    */
   public void forEachFlux(NodalBundle bundle, Scratch scratch, NodeVisitor visitor) {
-    boolean arrivesFromNeighbours = streaming == Streaming.PULL || inPlace() && !streamed;
-    ChunkCursor cursor = scratch.cursor;
-    cursor.begin(bundle.plan());
-    while (cursor.next()) {
-      cursor.read(previous, streamed, scratch.rows);
-      cursor.read(previous, arrivesFromNeighbours, scratch.arriving);
-      for (int k = 0; k < cursor.nodes(); k++) {
-        flux(bundle, cursor.node(k), scratch, k, visitor);
-      }
-    }
-  }
-
-  /** What left the node and what arrives there next, row i against and along velocity i. */
-  private void flux(NodalBundle bundle, int node, Scratch scratch, int k, NodeVisitor visitor) {
-    double[][] left = scratch.rows;
-    double[][] arriving = scratch.arriving;
-    double d = left[0][k];
-    double jx = 0;
-    double jy = 0;
-    double jz = 0;
-    for (int i = 1; i < left.length; i += 2) {
-      double a = (left[i + 1][k] - left[i][k] + arriving[i][k] - arriving[i + 1][k]) / 2;
-      d += left[i + 1][k] + left[i][k];
-      jx += set.cx(i) * a;
-      jy += set.cy(i) * a;
-      jz += set.cz(i) * a;
-    }
-    int place = bundle.position(node); // looked up once
-    visitor.visit(bundle.xAt(place), bundle.yAt(place), bundle.zAt(place), 1 + d, jx, jy, jz);
-  }
-
-  /** Row i holds what left the node against velocity i. */
-  private void visit(NodalBundle bundle, int node, double[][] rows, int k, NodeVisitor visitor) {
-    double d = rows[0][k];
-    double jx = -acted.x() / 2;
-    double jy = -acted.y() / 2;
-    double jz = -acted.z() / 2;
-    for (int i = 1; i < rows.length; i += 2) {
-      double a = rows[i + 1][k] - rows[i][k];
-      d += rows[i + 1][k] + rows[i][k];
-      jx += set.cx(i) * a;
-      jy += set.cy(i) * a;
-      jz += set.cz(i) * a;
-    }
-    int place = bundle.position(node); // looked up once
-    visitor.visit(bundle.xAt(place), bundle.yAt(place), bundle.zAt(place), 1 + d, jx, jy, jz);
+    moments.forEachFlux(bundle, scratch, visitor);
   }
 
   /**
@@ -344,18 +270,7 @@ public final class LbmScheme implements Scheme<NodalBundle, LbmScheme.Scratch> {
       throw new IllegalStateException(
           "state must be of fluid alone to be saved: immersion=" + immersion);
     }
-    out.writeLong(fingerprint());
-    for (int n = 0; n < bundles.size(); n++) {
-      scratch.cursor.begin(bundles.cellAt(n).plan());
-      while (scratch.cursor.next()) {
-        scratch.cursor.read(previous, streamed, scratch.rows);
-        for (double[] row : scratch.rows) {
-          for (int k = 0; k < scratch.cursor.nodes(); k++) {
-            out.writeDouble(row[k]);
-          }
-        }
-      }
-    }
+    savedState.write(scratch, out);
   }
 
   /**
@@ -367,39 +282,8 @@ public final class LbmScheme implements Scheme<NodalBundle, LbmScheme.Scratch> {
    *     bundles
    */
   public void restore(DataInput in) throws IOException {
-    long saved = in.readLong();
-    if (saved != fingerprint()) {
-      throw new IllegalArgumentException(
-          "state must be of the same nodes, lattice and bundles: saved="
-              + Long.toHexString(saved)
-              + ", here="
-              + Long.toHexString(fingerprint()));
-    }
+    savedState.read(scratch, in);
     acted = force;
-    for (int n = 0; n < bundles.size(); n++) {
-      scratch.cursor.begin(bundles.cellAt(n).plan());
-      while (scratch.cursor.next()) {
-        for (double[] row : scratch.rows) {
-          for (int k = 0; k < scratch.cursor.nodes(); k++) {
-            row[k] = in.readDouble();
-          }
-        }
-        scratch.cursor.write(previous, streamed, scratch.rows);
-      }
-    }
-  }
-
-  /** Differs between schemes of other nodes, lattices or bundles. */
-  private long fingerprint() {
-    long print = set.size();
-    for (int n = 0; n < bundles.size(); n++) {
-      NodalBundle bundle = bundles.cellAt(n);
-      print = 31 * print + bundle.key();
-      for (int node = 0; node < bundle.nodes(); node++) {
-        print = 31 * print + bundle.runs().position(node);
-      }
-    }
-    return print;
   }
 
   /** Number of fluid nodes. */

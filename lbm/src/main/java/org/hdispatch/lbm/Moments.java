@@ -1,0 +1,118 @@
+package org.hdispatch.lbm;
+
+/** Density and velocity of the nodes: put into their populations, and taken from them. */
+final class Moments {
+  private final VelocitySet set;
+  private final Equilibrium equilibrium;
+  private final Phase phase;
+
+  Moments(VelocitySet set, Equilibrium equilibrium, Phase phase) {
+    this.set = set;
+    this.equilibrium = equilibrium;
+    this.phase = phase;
+  }
+
+  /** Puts the nodes of a bundle into equilibrium, halfway through the force. */
+  void initialise(
+      NodalBundle bundle,
+      LbmScheme.Scratch scratch,
+      BodyForce force,
+      LbmScheme.NodeState state,
+      LbmScheme.InitialState initial) {
+    ChunkCursor cursor = scratch.cursor;
+    cursor.begin(bundle.plan());
+    while (cursor.next()) {
+      for (int k = 0; k < cursor.nodes(); k++) {
+        int node = cursor.node(k);
+        state.density = 1;
+        state.ux = 0;
+        state.uy = 0;
+        state.uz = 0;
+        initial.at(bundle.x(node), bundle.y(node), bundle.z(node), state);
+        for (int i = 0; i < set.size(); i++) {
+          double along = set.cx(i) * force.x() + set.cy(i) * force.y() + set.cz(i) * force.z();
+          scratch.rows[set.opposite(i)][k] =
+              equilibrium.deviation(set, i, state.density, state.ux, state.uy, state.uz)
+                  + set.weight(i) * 3 * along / 2;
+        }
+      }
+      cursor.write(phase.previous(), phase.streamed(), scratch.rows);
+    }
+  }
+
+  /** Visits the nodes of a bundle; the force is that of the step that made the populations. */
+  void forEachNode(
+      NodalBundle bundle,
+      LbmScheme.Scratch scratch,
+      BodyForce force,
+      LbmScheme.NodeVisitor visitor) {
+    ChunkCursor cursor = scratch.cursor;
+    cursor.begin(bundle.plan());
+    while (cursor.next()) {
+      cursor.read(phase.previous(), phase.streamed(), scratch.rows);
+      for (int k = 0; k < cursor.nodes(); k++) {
+        visit(bundle, cursor.node(k), scratch.rows, k, force, visitor);
+      }
+    }
+  }
+
+  /** Row i holds what left the node against velocity i. */
+  private void visit(
+      NodalBundle bundle,
+      int node,
+      double[][] rows,
+      int k,
+      BodyForce force,
+      LbmScheme.NodeVisitor visitor) {
+    double d = rows[0][k];
+    double jx = -force.x() / 2;
+    double jy = -force.y() / 2;
+    double jz = -force.z() / 2;
+    for (int i = 1; i < rows.length; i += 2) {
+      double a = rows[i + 1][k] - rows[i][k];
+      d += rows[i + 1][k] + rows[i][k];
+      jx += set.cx(i) * a;
+      jy += set.cy(i) * a;
+      jz += set.cz(i) * a;
+    }
+    int place = bundle.position(node); // looked up once
+    visitor.visit(bundle.xAt(place), bundle.yAt(place), bundle.zAt(place), 1 + d, jx, jy, jz);
+  }
+
+  /** Visits the nodes of a bundle with the mass flux through each. */
+  void forEachFlux(NodalBundle bundle, LbmScheme.Scratch scratch, LbmScheme.NodeVisitor visitor) {
+    ChunkCursor cursor = scratch.cursor;
+    cursor.begin(bundle.plan());
+    while (cursor.next()) {
+      cursor.read(phase.previous(), phase.streamed(), scratch.rows);
+      cursor.read(phase.previous(), phase.readsNeighbours(), scratch.arriving);
+      for (int k = 0; k < cursor.nodes(); k++) {
+        flux(bundle, cursor.node(k), scratch, k, visitor);
+      }
+    }
+  }
+
+  /** What left the node and what arrives there next, row i against and along velocity i. */
+  private void flux(
+      NodalBundle bundle,
+      int node,
+      LbmScheme.Scratch scratch,
+      int k,
+      LbmScheme.NodeVisitor visitor) {
+    double[][] left = scratch.rows;
+    double[][] arriving = scratch.arriving;
+    double d = left[0][k];
+    double jx = 0;
+    double jy = 0;
+    double jz = 0;
+    for (int i = 1; i < left.length; i += 2) {
+      double a = (left[i + 1][k] - left[i][k] + arriving[i][k] - arriving[i + 1][k]) / 2;
+      d += left[i + 1][k] + left[i][k];
+      jx += set.cx(i) * a;
+      jy += set.cy(i) * a;
+      jz += set.cz(i) * a;
+    }
+    int place = bundle.position(node); // looked up once
+    visitor.visit(bundle.xAt(place), bundle.yAt(place), bundle.zAt(place), 1 + d, jx, jy, jz);
+  }
+}

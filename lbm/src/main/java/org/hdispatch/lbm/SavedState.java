@@ -1,0 +1,72 @@
+package org.hdispatch.lbm;
+
+import java.io.DataInput;
+import java.io.DataOutput;
+import java.io.IOException;
+import org.hdispatch.cell.CellMap;
+
+/**
+ * The state of a scheme on its way to a stream and back: a number that tells schemes of other nodes
+ * apart, then what left each node, chunk by chunk, velocity by velocity.
+ */
+final class SavedState {
+  private final VelocitySet set;
+  private final CellMap<NodalBundle> bundles;
+  private final Phase phase;
+
+  SavedState(VelocitySet set, CellMap<NodalBundle> bundles, Phase phase) {
+    this.set = set;
+    this.bundles = bundles;
+    this.phase = phase;
+  }
+
+  void write(LbmScheme.Scratch scratch, DataOutput out) throws IOException {
+    out.writeLong(fingerprint());
+    for (int n = 0; n < bundles.size(); n++) {
+      scratch.cursor.begin(bundles.cellAt(n).plan());
+      while (scratch.cursor.next()) {
+        scratch.cursor.read(phase.previous(), phase.streamed(), scratch.rows);
+        for (double[] row : scratch.rows) {
+          for (int k = 0; k < scratch.cursor.nodes(); k++) {
+            out.writeDouble(row[k]);
+          }
+        }
+      }
+    }
+  }
+
+  void read(LbmScheme.Scratch scratch, DataInput in) throws IOException {
+    long saved = in.readLong();
+    if (saved != fingerprint()) {
+      throw new IllegalArgumentException(
+          "state must be of the same nodes, lattice and bundles: saved="
+              + Long.toHexString(saved)
+              + ", here="
+              + Long.toHexString(fingerprint()));
+    }
+    for (int n = 0; n < bundles.size(); n++) {
+      scratch.cursor.begin(bundles.cellAt(n).plan());
+      while (scratch.cursor.next()) {
+        for (double[] row : scratch.rows) {
+          for (int k = 0; k < scratch.cursor.nodes(); k++) {
+            row[k] = in.readDouble();
+          }
+        }
+        scratch.cursor.write(phase.previous(), phase.streamed(), scratch.rows);
+      }
+    }
+  }
+
+  /** Differs between schemes of other nodes, lattices or bundles. */
+  private long fingerprint() {
+    long print = set.size();
+    for (int n = 0; n < bundles.size(); n++) {
+      NodalBundle bundle = bundles.cellAt(n);
+      print = 31 * print + bundle.key();
+      for (int node = 0; node < bundle.nodes(); node++) {
+        print = 31 * print + bundle.runs().position(node);
+      }
+    }
+    return print;
+  }
+}
