@@ -5,7 +5,6 @@ import java.io.DataOutput;
 import java.io.IOException;
 import java.util.List;
 import java.util.Objects;
-import java.util.Optional;
 import org.hdispatch.cell.CellMap;
 import org.hdispatch.dispatch.Pass;
 import org.hdispatch.dispatch.Scheme;
@@ -34,7 +33,7 @@ public final class LbmScheme implements Scheme<NodalBundle, LbmScheme.Scratch> {
   private final Moments moments;
   private final SavedState savedState;
 
-  private LbmScheme(Builder builder) {
+  LbmScheme(LbmSchemeBuilder builder) {
     set = builder.set;
     relaxation = builder.relaxation;
     force = builder.force;
@@ -59,8 +58,8 @@ public final class LbmScheme implements Scheme<NodalBundle, LbmScheme.Scratch> {
   }
 
   /** Starts a scheme on a lattice: D3Q19, TRT at tau 1, quadratic equilibrium, no force. */
-  public static Builder on(Lattice lattice) {
-    return new Builder(lattice);
+  public static LbmSchemeBuilder on(Lattice lattice) {
+    return new LbmSchemeBuilder(lattice);
   }
 
   /** Sets the state of each fluid node before the first step. */
@@ -319,90 +318,5 @@ public final class LbmScheme implements Scheme<NodalBundle, LbmScheme.Scratch> {
   public void drive(BodyForce bodyForce) {
     force = Objects.requireNonNull(bodyForce, "bodyForce");
     coefficients.drive(bodyForce);
-  }
-
-  /** Settings of a scheme; all but the lattice have a default. */
-  public static final class Builder {
-    private final Lattice lattice;
-    private VelocitySet set = VelocitySet.D3Q19;
-    private Relaxation relaxation = Relaxation.trt(1);
-    private Equilibrium equilibrium = Equilibrium.QUADRATIC;
-    private BodyForce force = BodyForce.NONE;
-    private Optional<BundleSize> size = Optional.empty();
-    private Streaming streaming = Streaming.IN_PLACE;
-    private Storage storage = Storage.DOUBLE;
-    private KernelForm form = KernelForm.fastest();
-    private Immersion immersion;
-
-    private Builder(Lattice lattice) {
-      this.lattice = Objects.requireNonNull(lattice, "lattice");
-    }
-
-    /** Sets the velocity set. Default: D3Q19. */
-    public Builder velocitySet(VelocitySet velocitySet) {
-      set = Objects.requireNonNull(velocitySet, "velocitySet");
-      return this;
-    }
-
-    /** Sets the relaxation rates. Default: TRT with magic number 3/16 at tau 1. */
-    public Builder relaxation(Relaxation rates) {
-      relaxation = Objects.requireNonNull(rates, "rates");
-      return this;
-    }
-
-    /** Sets the equilibrium. Default: quadratic. */
-    public Builder equilibrium(Equilibrium form) {
-      equilibrium = Objects.requireNonNull(form, "form");
-      return this;
-    }
-
-    /** Sets the body force. Default: none. */
-    public Builder force(BodyForce bodyForce) {
-      force = Objects.requireNonNull(bodyForce, "bodyForce");
-      return this;
-    }
-
-    /** Sets the size of the bundles. Default: {@link BundleSize#fitting}. */
-    public Builder bundleSize(BundleSize bundleSize) {
-      size = Optional.of(bundleSize);
-      return this;
-    }
-
-    private BundleSize bundleSize() {
-      return size.orElseGet(() -> BundleSize.fitting(lattice));
-    }
-
-    /** Sets how populations move. Default: in place. */
-    public Builder streaming(Streaming how) {
-      streaming = Objects.requireNonNull(how, "how");
-      return this;
-    }
-
-    /** Sets the precision in which populations are stored. Default: double. */
-    public Builder storage(Storage precision) {
-      storage = Objects.requireNonNull(precision, "precision");
-      return this;
-    }
-
-    /**
-     * Sets the form of the kernel. Default: the fastest that this JVM can run.
-     *
-     * @throws IllegalStateException from {@link #build} if this JVM cannot run it
-     */
-    public Builder kernel(KernelForm kernelForm) {
-      form = Objects.requireNonNull(kernelForm, "kernelForm");
-      return this;
-    }
-
-    /** Sets what lies in the flow. Default: nothing. */
-    public Builder immersion(Immersion bodies) {
-      immersion = Objects.requireNonNull(bodies, "bodies");
-      return this;
-    }
-
-    /** Cuts the lattice into bundles and puts them at rest. */
-    public LbmScheme build() {
-      return new LbmScheme(this);
-    }
   }
 }

@@ -50,7 +50,7 @@ class LbmSchemeTest {
         (x, y, z) -> fluid[x + NX * (y + NY * z)]);
   }
 
-  private static LbmScheme.Builder flow(VelocitySet set, Equilibrium form) {
+  private static LbmSchemeBuilder flow(VelocitySet set, Equilibrium form) {
     return LbmScheme.on(rubble())
         .velocitySet(set)
         .equilibrium(form)
@@ -105,7 +105,7 @@ class LbmSchemeTest {
   void sameBitsForAnyKernelAndStreaming(Storage storage) {
     for (VelocitySet set : VelocitySet.values()) {
       for (Equilibrium form : Equilibrium.values()) {
-        LbmScheme.Builder pull = flow(set, form).storage(storage).streaming(Streaming.PULL);
+        LbmSchemeBuilder pull = flow(set, form).storage(storage).streaming(Streaming.PULL);
         double[] reference =
             run(
                 disturbed(pull.kernel(KernelForm.REFERENCE)),
@@ -115,7 +115,7 @@ class LbmSchemeTest {
         for (Streaming streaming : Streaming.values()) {
           for (KernelForm kernel : List.of(KernelForm.REFERENCE, KernelForm.LOOPS)) {
             for (BundleSize size : List.of(BundleSize.cube(6), new BundleSize(64, 3, 5))) {
-              LbmScheme.Builder other =
+              LbmSchemeBuilder other =
                   flow(set, form)
                       .storage(storage)
                       .streaming(streaming)
@@ -133,7 +133,7 @@ class LbmSchemeTest {
   }
 
   /** A random state, the same whatever the order of the nodes. */
-  private static LbmScheme disturbed(LbmScheme.Builder builder) {
+  private static LbmScheme disturbed(LbmSchemeBuilder builder) {
     LbmScheme scheme = builder.build();
     scheme.initialise(
         (x, y, z, state) -> {

@@ -21,6 +21,7 @@ import org.hdispatch.lbm.Equilibrium;
 import org.hdispatch.lbm.KernelForm;
 import org.hdispatch.lbm.Lattice;
 import org.hdispatch.lbm.LbmScheme;
+import org.hdispatch.lbm.LbmSchemeBuilder;
 import org.hdispatch.lbm.Relaxation;
 import org.hdispatch.lbm.Storage;
 import org.hdispatch.lbm.Streaming;
@@ -47,7 +48,7 @@ class ImmersedBodiesTest {
             new Point(0.01, 0, 0)));
   }
 
-  private static LbmScheme.Builder flow(ImmersedBodies bodies) {
+  private static LbmSchemeBuilder flow(ImmersedBodies bodies) {
     return LbmScheme.on(Lattice.empty(26, 17, 21, Ends.PERIODIC, Ends.OPEN, Ends.OPEN))
         .relaxation(TAU)
         .force(new BodyForce(1e-5, 0, 0))
@@ -120,7 +121,7 @@ class ImmersedBodiesTest {
   @EnumSource(Storage.class)
   void sameBitsForAnyKernelAndStreaming(Storage storage) {
     ImmersedBodies first = fallingCrowd();
-    LbmScheme.Builder pull = flow(first).storage(storage).streaming(Streaming.PULL);
+    LbmSchemeBuilder pull = flow(first).storage(storage).streaming(Streaming.PULL);
     LbmScheme scheme = pull.kernel(KernelForm.REFERENCE).build();
     double[] reference = run(scheme, first, 1, Handout.PULL, ScratchLifetime.ENDURING);
     for (Streaming streaming : Streaming.values()) {
@@ -365,7 +366,7 @@ class ImmersedBodiesTest {
   @Test
   void refusesBodiesInTwoSchemesAndWarnsOfUnfitRelaxation() {
     ImmersedBodies bodies = ImmersedBodies.of(Body.fixed(new Sphere(2), Point.ZERO));
-    LbmScheme.Builder builder =
+    LbmSchemeBuilder builder =
         LbmScheme.on(ImmersedFlows.periodic(8, 8, 8)).immersion(bodies).relaxation(TAU);
     builder.build();
     assertThrows(IllegalStateException.class, builder::build);

@@ -7,6 +7,7 @@ import org.hdispatch.dispatch.TimeLoop;
 import org.hdispatch.lbm.BodyForce;
 import org.hdispatch.lbm.Equilibrium;
 import org.hdispatch.lbm.LbmScheme;
+import org.hdispatch.lbm.LbmSchemeBuilder;
 import org.hdispatch.lbm.VelocitySet;
 import org.hdispatch.porous.darcy.Darcy;
 import org.hdispatch.porous.image.Axis;
@@ -155,7 +156,7 @@ public final class LbmFlow {
               * domain.rock().porosity()
               * relaxation.viscosity()
               / domain.guessedPermeability();
-      LbmScheme.Builder builder =
+      LbmSchemeBuilder builder =
           LbmScheme.on(domain.lattice())
               .velocitySet(options.velocitySet())
               .relaxation(relaxation)

@@ -1,0 +1,89 @@
+package org.hdispatch.lbm;
+
+import java.util.Objects;
+import java.util.Optional;
+
+/** Settings of a scheme; all but the lattice have a default. */
+public final class LbmSchemeBuilder {
+  final Lattice lattice;
+  VelocitySet set = VelocitySet.D3Q19;
+  Relaxation relaxation = Relaxation.trt(1);
+  Equilibrium equilibrium = Equilibrium.QUADRATIC;
+  BodyForce force = BodyForce.NONE;
+  private Optional<BundleSize> size = Optional.empty();
+  Streaming streaming = Streaming.IN_PLACE;
+  Storage storage = Storage.DOUBLE;
+  KernelForm form = KernelForm.fastest();
+  Immersion immersion;
+
+  LbmSchemeBuilder(Lattice lattice) {
+    this.lattice = Objects.requireNonNull(lattice, "lattice");
+  }
+
+  /** Sets the velocity set. Default: D3Q19. */
+  public LbmSchemeBuilder velocitySet(VelocitySet velocitySet) {
+    set = Objects.requireNonNull(velocitySet, "velocitySet");
+    return this;
+  }
+
+  /** Sets the relaxation rates. Default: TRT with magic number 3/16 at tau 1. */
+  public LbmSchemeBuilder relaxation(Relaxation rates) {
+    relaxation = Objects.requireNonNull(rates, "rates");
+    return this;
+  }
+
+  /** Sets the equilibrium. Default: quadratic. */
+  public LbmSchemeBuilder equilibrium(Equilibrium form) {
+    equilibrium = Objects.requireNonNull(form, "form");
+    return this;
+  }
+
+  /** Sets the body force. Default: none. */
+  public LbmSchemeBuilder force(BodyForce bodyForce) {
+    force = Objects.requireNonNull(bodyForce, "bodyForce");
+    return this;
+  }
+
+  /** Sets the size of the bundles. Default: {@link BundleSize#fitting}. */
+  public LbmSchemeBuilder bundleSize(BundleSize bundleSize) {
+    size = Optional.of(bundleSize);
+    return this;
+  }
+
+  BundleSize bundleSize() {
+    return size.orElseGet(() -> BundleSize.fitting(lattice));
+  }
+
+  /** Sets how populations move. Default: in place. */
+  public LbmSchemeBuilder streaming(Streaming how) {
+    streaming = Objects.requireNonNull(how, "how");
+    return this;
+  }
+
+  /** Sets the precision in which populations are stored. Default: double. */
+  public LbmSchemeBuilder storage(Storage precision) {
+    storage = Objects.requireNonNull(precision, "precision");
+    return this;
+  }
+
+  /**
+   * Sets the form of the kernel. Default: the fastest that this JVM can run.
+   *
+   * @throws IllegalStateException from {@link #build} if this JVM cannot run it
+   */
+  public LbmSchemeBuilder kernel(KernelForm kernelForm) {
+    form = Objects.requireNonNull(kernelForm, "kernelForm");
+    return this;
+  }
+
+  /** Sets what lies in the flow. Default: nothing. */
+  public LbmSchemeBuilder immersion(Immersion bodies) {
+    immersion = Objects.requireNonNull(bodies, "bodies");
+    return this;
+  }
+
+  /** Cuts the lattice into bundles and puts them at rest. */
+  public LbmScheme build() {
+    return new LbmScheme(this);
+  }
+}
