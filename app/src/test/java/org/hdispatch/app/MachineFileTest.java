@@ -22,9 +22,9 @@ import org.junit.jupiter.params.provider.ValueSource;
 
 class MachineFileTest {
   private static final DuctSettings DOUBLE =
-      new DuctSettings(VelocitySet.D3Q15, Streaming.IN_PLACE, Storage.DOUBLE, KernelForm.LOOPS);
+      new DuctSettings(VelocitySet.D3Q15, Streaming.IN_PLACE, Storage.DOUBLE, KernelForm.SCALAR);
   private static final DuctSettings SINGLE =
-      new DuctSettings(VelocitySet.D3Q15, Streaming.IN_PLACE, Storage.SINGLE, KernelForm.LOOPS);
+      new DuctSettings(VelocitySet.D3Q15, Streaming.IN_PLACE, Storage.SINGLE, KernelForm.SCALAR);
 
   @TempDir Path folder;
 

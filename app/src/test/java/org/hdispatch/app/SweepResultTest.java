@@ -21,7 +21,7 @@ import org.junit.jupiter.api.Test;
 
 class SweepResultTest {
   private static final DuctSettings SETTINGS =
-      new DuctSettings(VelocitySet.D3Q15, Streaming.IN_PLACE, Storage.DOUBLE, KernelForm.LOOPS);
+      new DuctSettings(VelocitySet.D3Q15, Streaming.IN_PLACE, Storage.DOUBLE, KernelForm.SCALAR);
 
   private static SweepResult.Point point(
       int side, String label, int threads, double mlups, double bandwidth, double k) {

@@ -41,7 +41,7 @@ final class ChunkCursor {
         offset = 0;
         row++;
       }
-      nodes = Math.min(Chunk.NODES, plan.code[at + 1] - offset);
+      nodes = Math.min(ChunkRows.NODES, plan.code[at + 1] - offset);
       if (row < plan.code[at + 2]) {
         return true;
       }
@@ -80,57 +80,57 @@ final class ChunkCursor {
   }
 
   /** Reads the chunk's populations into rows, from the neighbours' slots or from their own. */
-  void read(int copy, boolean neighbours, double[][] rows) {
+  void read(int copy, boolean neighbours, ChunkRows rows) {
     if (segmentsLeft > 0) {
-      for (int i = 0; i < rows.length; i++) {
+      for (int i = 0; i < rows.wide.length; i++) {
         int address = neighbours ? plan.code[at + StreamPlan.SEGMENT + i] : 0;
         Populations from = plan.source(address, copy);
         int index = neighbours ? StreamPlan.index(address) : from.index(i, plan.code[at]);
-        from.read(Populations.pair(i), index + inSegment(), rows[i], nodes);
+        from.read(Populations.pair(i), index + inSegment(), rows, i, nodes);
       }
     } else if (neighbours) {
       gather(copy, rows);
     } else {
       Populations own = plan.own(copy);
       int base = plan.code[at + 3];
-      for (int i = 0; i < rows.length; i++) {
+      for (int i = 0; i < rows.wide.length; i++) {
         int pair = Populations.pair(i);
-        own.gather(pair, own.index(i, base), plan.links, link, rows[i], nodes);
+        own.gather(pair, own.index(i, base), plan.links, link, rows, i, nodes);
       }
     }
   }
 
   /** Writes rows into the chunk's populations, into the neighbours' slots or into their own. */
-  void write(int copy, boolean neighbours, double[][] rows) {
+  void write(int copy, boolean neighbours, ChunkRows rows) {
     if (segmentsLeft > 0) {
-      for (int i = 0; i < rows.length; i++) {
+      for (int i = 0; i < rows.wide.length; i++) {
         int address = neighbours ? plan.code[at + StreamPlan.SEGMENT + i] : 0;
         Populations to = plan.source(address, copy);
         int index = neighbours ? StreamPlan.index(address) : to.index(i, plan.code[at]);
-        to.write(Populations.pair(i), index + inSegment(), rows[i], nodes);
+        to.write(Populations.pair(i), index + inSegment(), rows, i, nodes);
       }
     } else if (neighbours) {
       scatter(copy, rows);
     } else {
       Populations own = plan.own(copy);
       int base = plan.code[at + 3];
-      for (int i = 0; i < rows.length; i++) {
+      for (int i = 0; i < rows.wide.length; i++) {
         int pair = Populations.pair(i);
-        own.scatter(pair, own.index(i, base), plan.links, link, rows[i], nodes);
+        own.scatter(pair, own.index(i, base), plan.links, link, rows, i, nodes);
       }
     }
   }
 
-  private void gather(int copy, double[][] rows) {
+  private void gather(int copy, ChunkRows rows) {
     int[] code = plan.code;
     char[] links = plan.links;
     Populations own = plan.own(copy);
     int next = at + 3;
     int from = link;
-    for (int i = 0; i < rows.length; i++) {
+    for (int i = 0; i < rows.wide.length; i++) {
       int pair = Populations.pair(i);
       int within = code[next + 1];
-      own.gather(pair, code[next], links, from, rows[i], within);
+      own.gather(pair, code[next], links, from, rows, i, within);
       from += within;
       int groups = code[next + 2];
       next += 3;
@@ -138,23 +138,23 @@ final class ChunkCursor {
         int address = code[next];
         int n = code[next + 1];
         plan.source(address, copy)
-            .gatherAt(pair, StreamPlan.index(address), links, from, rows[i], n);
+            .gatherAt(pair, StreamPlan.index(address), links, from, rows, i, n);
         from += 2 * n;
         next += 2;
       }
     }
   }
 
-  private void scatter(int copy, double[][] rows) {
+  private void scatter(int copy, ChunkRows rows) {
     int[] code = plan.code;
     char[] links = plan.links;
     Populations own = plan.own(copy);
     int next = at + 3;
     int from = link;
-    for (int i = 0; i < rows.length; i++) {
+    for (int i = 0; i < rows.wide.length; i++) {
       int pair = Populations.pair(i);
       int within = code[next + 1];
-      own.scatter(pair, code[next], links, from, rows[i], within);
+      own.scatter(pair, code[next], links, from, rows, i, within);
       from += within;
       int groups = code[next + 2];
       next += 3;
@@ -162,7 +162,7 @@ final class ChunkCursor {
         int address = code[next];
         int n = code[next + 1];
         plan.source(address, copy)
-            .scatterAt(pair, StreamPlan.index(address), links, from, rows[i], n);
+            .scatterAt(pair, StreamPlan.index(address), links, from, rows, i, n);
         from += 2 * n;
         next += 2;
       }

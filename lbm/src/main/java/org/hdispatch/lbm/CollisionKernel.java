@@ -14,9 +14,9 @@ package org.hdispatch.lbm;
  * nothing.
  */
 public interface CollisionKernel {
-  /** Collides nodes stored in double precision. */
+  /** Collides nodes in double precision. */
   void collide(double[][] in, int[] inAt, double[][] out, int[] outAt, int n, int rows, int pitch);
 
-  /** Collides nodes stored in single precision; computed in double. */
+  /** Collides nodes in single precision: every operation is rounded to it. */
   void collide(float[][] in, int[] inAt, float[][] out, int[] outAt, int n, int rows, int pitch);
 }

@@ -8,8 +8,8 @@ import java.util.ServiceLoader;
 public enum KernelForm {
   /** Node by node, as the formulas stand: the form that the others are compared with. */
   REFERENCE,
-  /** Small loops over rows of nodes, which the JIT compiler turns into vector instructions. */
-  LOOPS,
+  /** Node by node, written out for each lattice and equilibrium: fast on any JVM. */
+  SCALAR,
   /**
    * Vector instructions asked for by name: needs the artifact {@code hdispatch-lbm-vector} and
    * {@code --add-modules jdk.incubator.vector}.
@@ -18,7 +18,7 @@ public enum KernelForm {
 
   /** The fastest form that this JVM can run. */
   public static KernelForm fastest() {
-    return provider().isPresent() ? VECTOR : LOOPS;
+    return provider().isPresent() ? VECTOR : SCALAR;
   }
 
   private static Optional<CollisionKernels> provider() {
@@ -57,7 +57,16 @@ public enum KernelForm {
     @Override
     public CollisionKernel kernel(CollisionCoefficients coefficients) {
       Objects.requireNonNull(coefficients, "coefficients");
-      return form == REFERENCE ? new NodeKernel(coefficients) : new LoopKernel(coefficients);
+      if (form == REFERENCE) {
+        return new NodeKernel(coefficients);
+      }
+      boolean linear = coefficients.equilibrium() == Equilibrium.LINEAR;
+      return switch (coefficients.set()) {
+        case D3Q15 ->
+            linear ? new ScalarD3Q15Linear(coefficients) : new ScalarD3Q15Quadratic(coefficients);
+        case D3Q19 ->
+            linear ? new ScalarD3Q19Linear(coefficients) : new ScalarD3Q19Quadratic(coefficients);
+      };
     }
   }
 }

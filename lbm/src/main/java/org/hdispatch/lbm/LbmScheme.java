@@ -127,11 +127,10 @@ public final class LbmScheme implements Scheme<NodalBundle, LbmScheme.Scratch> {
     final ChunkCursor cursor = new ChunkCursor();
     private final Rows in;
     private final Rows out;
-    final double[][] rows;
-    final double[][] arriving; // for fluxes
-    private final int[] start;
+    final ChunkRows chunk;
+    final ChunkRows arriving; // for fluxes
     private final Immersion.Worker immersed; // null: nothing is
-    private final int[] numbers = new int[Chunk.NODES]; // of the chunk's nodes
+    private final int[] numbers = new int[ChunkRows.NODES]; // of the chunk's nodes
 
     private Scratch(
         CollisionKernel kernel, Storage storage, int velocities, Immersion.Worker immersed) {
@@ -139,9 +138,8 @@ public final class LbmScheme implements Scheme<NodalBundle, LbmScheme.Scratch> {
       this.immersed = immersed;
       in = Rows.of(storage, velocities);
       out = Rows.of(storage, velocities);
-      rows = new double[velocities][Chunk.PADDED];
-      arriving = new double[velocities][Chunk.PADDED];
-      start = new int[velocities];
+      chunk = ChunkRows.of(storage, velocities);
+      arriving = ChunkRows.of(storage, velocities);
     }
   }
 
@@ -174,10 +172,9 @@ public final class LbmScheme implements Scheme<NodalBundle, LbmScheme.Scratch> {
     ChunkCursor cursor = scratch.cursor;
     cursor.beginBatches(plan);
     while (cursor.next()) {
-      cursor.read(previous, readsNeighbours, scratch.rows);
-      scratch.kernel.collide(
-          scratch.rows, scratch.start, scratch.rows, scratch.start, cursor.nodes(), 1, 0);
-      cursor.write(current, writesNeighbours, scratch.rows);
+      cursor.read(previous, readsNeighbours, scratch.chunk);
+      scratch.chunk.collide(scratch.kernel, cursor.nodes());
+      cursor.write(current, writesNeighbours, scratch.chunk);
     }
   }
 
@@ -190,20 +187,23 @@ public final class LbmScheme implements Scheme<NodalBundle, LbmScheme.Scratch> {
       boolean readsNeighbours,
       boolean writesNeighbours) {
     ChunkCursor cursor = scratch.cursor;
-    double[][] rows = scratch.rows;
+    ChunkRows chunk = scratch.chunk;
     cursor.begin(plan);
     while (cursor.next()) {
       int n = cursor.nodes();
-      cursor.read(previous, readsNeighbours, rows);
+      cursor.read(previous, readsNeighbours, chunk);
+      chunk.widen(n);
       for (int k = 0; k < n; k++) {
         scratch.numbers[k] = cursor.node(k);
       }
-      boolean covered = scratch.immersed.keep(rows, scratch.numbers, n) > 0;
-      scratch.kernel.collide(rows, scratch.start, rows, scratch.start, n, 1, 0);
+      boolean covered = scratch.immersed.keep(chunk.wide, scratch.numbers, n) > 0;
+      chunk.collide(scratch.kernel, n);
       if (covered) {
-        scratch.immersed.blend(rows);
+        chunk.widen(n);
+        scratch.immersed.blend(chunk.wide);
+        chunk.narrow(n);
       }
-      cursor.write(current, writesNeighbours, rows);
+      cursor.write(current, writesNeighbours, chunk);
     }
   }
 

@@ -12,7 +12,7 @@ final class Linker {
   private final BundleSize size;
   private final Surroundings surroundings;
   private final int[][] address; // per velocity and node
-  private final long[] others = new long[Chunk.NODES]; // links of a batch that lead elsewhere
+  private final long[] others = new long[ChunkRows.NODES]; // links of a batch that lead elsewhere
   private int[] code = new int[1024];
   private int codeLength;
   private char[] links = new char[1024];
@@ -126,7 +126,7 @@ final class Linker {
   }
 
   private int writeBatches(int nodes) {
-    int[] batch = new int[Chunk.NODES];
+    int[] batch = new int[ChunkRows.NODES];
     int batches = 0;
     int count = 0;
     int end;
@@ -178,7 +178,7 @@ final class Linker {
       if (isWithin(row[batch[k]], base)) {
         within = k + 1;
       } else {
-        others[elsewhere++] = Integer.toUnsignedLong(row[batch[k]]) * Chunk.NODES + k;
+        others[elsewhere++] = Integer.toUnsignedLong(row[batch[k]]) * ChunkRows.NODES + k;
       }
     }
     append(within == 0 ? 0 : base);
@@ -200,9 +200,9 @@ final class Linker {
     append(0);
     int end;
     for (int first = 0; first < elsewhere; first = end) {
-      int address = (int) (others[first] / Chunk.NODES);
+      int address = (int) (others[first] / ChunkRows.NODES);
       end = first + 1;
-      while (end < elsewhere && isReachable(address, (int) (others[end] / Chunk.NODES))) {
+      while (end < elsewhere && isReachable(address, (int) (others[end] / ChunkRows.NODES))) {
         end++;
       }
       int members = end - first;
@@ -210,8 +210,9 @@ final class Linker {
       append(members);
       reserveLinks(2 * members);
       for (int m = 0; m < members; m++) {
-        links[linkCount + m] = (char) (others[first + m] % Chunk.NODES);
-        links[linkCount + members + m] = (char) ((int) (others[first + m] / Chunk.NODES) - address);
+        links[linkCount + m] = (char) (others[first + m] % ChunkRows.NODES);
+        links[linkCount + members + m] =
+            (char) ((int) (others[first + m] / ChunkRows.NODES) - address);
       }
       linkCount += 2 * members;
       code[groupsAt]++;

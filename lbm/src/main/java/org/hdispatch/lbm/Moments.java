@@ -31,12 +31,13 @@ final class Moments {
         initial.at(bundle.x(node), bundle.y(node), bundle.z(node), state);
         for (int i = 0; i < set.size(); i++) {
           double along = set.cx(i) * force.x() + set.cy(i) * force.y() + set.cz(i) * force.z();
-          scratch.rows[set.opposite(i)][k] =
+          scratch.chunk.wide[set.opposite(i)][k] =
               equilibrium.deviation(set, i, state.density, state.ux, state.uy, state.uz)
                   + set.weight(i) * 3 * along / 2;
         }
       }
-      cursor.write(phase.previous(), phase.streamed(), scratch.rows);
+      scratch.chunk.narrow(cursor.nodes());
+      cursor.write(phase.previous(), phase.streamed(), scratch.chunk);
     }
   }
 
@@ -49,9 +50,10 @@ final class Moments {
     ChunkCursor cursor = scratch.cursor;
     cursor.begin(bundle.plan());
     while (cursor.next()) {
-      cursor.read(phase.previous(), phase.streamed(), scratch.rows);
+      cursor.read(phase.previous(), phase.streamed(), scratch.chunk);
+      scratch.chunk.widen(cursor.nodes());
       for (int k = 0; k < cursor.nodes(); k++) {
-        visit(bundle, cursor.node(k), scratch.rows, k, force, visitor);
+        visit(bundle, cursor.node(k), scratch.chunk.wide, k, force, visitor);
       }
     }
   }
@@ -84,8 +86,10 @@ final class Moments {
     ChunkCursor cursor = scratch.cursor;
     cursor.begin(bundle.plan());
     while (cursor.next()) {
-      cursor.read(phase.previous(), phase.streamed(), scratch.rows);
+      cursor.read(phase.previous(), phase.streamed(), scratch.chunk);
+      scratch.chunk.widen(cursor.nodes());
       cursor.read(phase.previous(), phase.readsNeighbours(), scratch.arriving);
+      scratch.arriving.widen(cursor.nodes());
       for (int k = 0; k < cursor.nodes(); k++) {
         flux(bundle, cursor.node(k), scratch, k, visitor);
       }
@@ -99,8 +103,8 @@ final class Moments {
       LbmScheme.Scratch scratch,
       int k,
       LbmScheme.NodeVisitor visitor) {
-    double[][] left = scratch.rows;
-    double[][] arriving = scratch.arriving;
+    double[][] left = scratch.chunk.wide;
+    double[][] arriving = scratch.arriving.wide;
     double d = left[0][k];
     double jx = 0;
     double jy = 0;

@@ -66,23 +66,23 @@ abstract sealed class Populations {
   /** Sets the number at an index of an array. */
   abstract void put(int pair, int index, double value);
 
-  /** Copies n numbers of an array, from an index on, into a row. */
-  abstract void read(int pair, int index, double[] row, int n);
+  /** Copies n numbers of an array, from an index on, into row i. */
+  abstract void read(int pair, int index, ChunkRows rows, int i, int n);
 
-  /** Copies n numbers of a row into an array, from an index on. */
-  abstract void write(int pair, int index, double[] row, int n);
+  /** Copies n numbers of row i into an array, from an index on. */
+  abstract void write(int pair, int index, ChunkRows rows, int i, int n);
 
-  /** Reads row[k] from base + links[from + k]. */
-  abstract void gather(int pair, int base, char[] links, int from, double[] row, int n);
+  /** Reads row i, [k] from base + links[from + k]. */
+  abstract void gather(int pair, int base, char[] links, int from, ChunkRows rows, int i, int n);
 
-  /** Writes row[k] to base + links[from + k], in order of k. */
-  abstract void scatter(int pair, int base, char[] links, int from, double[] row, int n);
+  /** Writes row i, [k] to base + links[from + k], in order of k. */
+  abstract void scatter(int pair, int base, char[] links, int from, ChunkRows rows, int i, int n);
 
-  /** Reads row[links[from + m]] from base + links[from + n + m]. */
-  abstract void gatherAt(int pair, int base, char[] links, int from, double[] row, int n);
+  /** Reads row i, [links[from + m]] from base + links[from + n + m]. */
+  abstract void gatherAt(int pair, int base, char[] links, int from, ChunkRows rows, int i, int n);
 
-  /** Writes row[links[from + m]] to base + links[from + n + m]. */
-  abstract void scatterAt(int pair, int base, char[] links, int from, double[] row, int n);
+  /** Writes row i, [links[from + m]] to base + links[from + n + m]. */
+  abstract void scatterAt(int pair, int base, char[] links, int from, ChunkRows rows, int i, int n);
 
   /** Bytes of the arrays. */
   abstract long bytes();
@@ -100,6 +100,10 @@ abstract sealed class Populations {
       }
     }
 
+    private static double[] row(ChunkRows rows, int i) {
+      return ((ChunkRows.InDouble) rows).rows[i];
+    }
+
     @Override
     double at(int pair, int index) {
       return pairs[pair][index];
@@ -111,17 +115,18 @@ abstract sealed class Populations {
     }
 
     @Override
-    void read(int pair, int index, double[] row, int n) {
-      System.arraycopy(pairs[pair], index, row, 0, n);
+    void read(int pair, int index, ChunkRows rows, int i, int n) {
+      System.arraycopy(pairs[pair], index, row(rows, i), 0, n);
     }
 
     @Override
-    void write(int pair, int index, double[] row, int n) {
-      System.arraycopy(row, 0, pairs[pair], index, n);
+    void write(int pair, int index, ChunkRows rows, int i, int n) {
+      System.arraycopy(row(rows, i), 0, pairs[pair], index, n);
     }
 
     @Override
-    void gather(int pair, int base, char[] links, int from, double[] row, int n) {
+    void gather(int pair, int base, char[] links, int from, ChunkRows rows, int i, int n) {
+      double[] row = row(rows, i);
       double[] own = pairs[pair];
       for (int k = 0; k < n; k++) {
         row[k] = own[base + links[from + k]];
@@ -129,7 +134,8 @@ abstract sealed class Populations {
     }
 
     @Override
-    void scatter(int pair, int base, char[] links, int from, double[] row, int n) {
+    void scatter(int pair, int base, char[] links, int from, ChunkRows rows, int i, int n) {
+      double[] row = row(rows, i);
       double[] own = pairs[pair];
       for (int k = 0; k < n; k++) {
         own[base + links[from + k]] = row[k];
@@ -137,7 +143,8 @@ abstract sealed class Populations {
     }
 
     @Override
-    void gatherAt(int pair, int base, char[] links, int from, double[] row, int n) {
+    void gatherAt(int pair, int base, char[] links, int from, ChunkRows rows, int i, int n) {
+      double[] row = row(rows, i);
       double[] array = pairs[pair];
       for (int m = from; m < from + n; m++) {
         row[links[m]] = array[base + links[n + m]];
@@ -145,7 +152,8 @@ abstract sealed class Populations {
     }
 
     @Override
-    void scatterAt(int pair, int base, char[] links, int from, double[] row, int n) {
+    void scatterAt(int pair, int base, char[] links, int from, ChunkRows rows, int i, int n) {
+      double[] row = row(rows, i);
       double[] array = pairs[pair];
       for (int m = from; m < from + n; m++) {
         array[base + links[n + m]] = row[links[m]];
@@ -175,6 +183,10 @@ abstract sealed class Populations {
       }
     }
 
+    private static float[] row(ChunkRows rows, int i) {
+      return ((ChunkRows.InSingle) rows).rows[i];
+    }
+
     @Override
     double at(int pair, int index) {
       return pairs[pair][index];
@@ -186,17 +198,18 @@ abstract sealed class Populations {
     }
 
     @Override
-    void read(int pair, int index, double[] row, int n) {
-      Chunk.widen(pairs[pair], index, row, 0, n);
+    void read(int pair, int index, ChunkRows rows, int i, int n) {
+      System.arraycopy(pairs[pair], index, row(rows, i), 0, n);
     }
 
     @Override
-    void write(int pair, int index, double[] row, int n) {
-      Chunk.narrow(row, 0, pairs[pair], index, n);
+    void write(int pair, int index, ChunkRows rows, int i, int n) {
+      System.arraycopy(row(rows, i), 0, pairs[pair], index, n);
     }
 
     @Override
-    void gather(int pair, int base, char[] links, int from, double[] row, int n) {
+    void gather(int pair, int base, char[] links, int from, ChunkRows rows, int i, int n) {
+      float[] row = row(rows, i);
       float[] own = pairs[pair];
       for (int k = 0; k < n; k++) {
         row[k] = own[base + links[from + k]];
@@ -204,15 +217,17 @@ abstract sealed class Populations {
     }
 
     @Override
-    void scatter(int pair, int base, char[] links, int from, double[] row, int n) {
+    void scatter(int pair, int base, char[] links, int from, ChunkRows rows, int i, int n) {
+      float[] row = row(rows, i);
       float[] own = pairs[pair];
       for (int k = 0; k < n; k++) {
-        own[base + links[from + k]] = (float) row[k];
+        own[base + links[from + k]] = row[k];
       }
     }
 
     @Override
-    void gatherAt(int pair, int base, char[] links, int from, double[] row, int n) {
+    void gatherAt(int pair, int base, char[] links, int from, ChunkRows rows, int i, int n) {
+      float[] row = row(rows, i);
       float[] array = pairs[pair];
       for (int m = from; m < from + n; m++) {
         row[links[m]] = array[base + links[n + m]];
@@ -220,10 +235,11 @@ abstract sealed class Populations {
     }
 
     @Override
-    void scatterAt(int pair, int base, char[] links, int from, double[] row, int n) {
+    void scatterAt(int pair, int base, char[] links, int from, ChunkRows rows, int i, int n) {
+      float[] row = row(rows, i);
       float[] array = pairs[pair];
       for (int m = from; m < from + n; m++) {
-        array[base + links[n + m]] = (float) row[links[m]];
+        array[base + links[n + m]] = row[links[m]];
       }
     }
 

@@ -25,8 +25,9 @@ final class SavedState {
     for (int n = 0; n < bundles.size(); n++) {
       scratch.cursor.begin(bundles.cellAt(n).plan());
       while (scratch.cursor.next()) {
-        scratch.cursor.read(phase.previous(), phase.streamed(), scratch.rows);
-        for (double[] row : scratch.rows) {
+        scratch.cursor.read(phase.previous(), phase.streamed(), scratch.chunk);
+        scratch.chunk.widen(scratch.cursor.nodes());
+        for (double[] row : scratch.chunk.wide) {
           for (int k = 0; k < scratch.cursor.nodes(); k++) {
             out.writeDouble(row[k]);
           }
@@ -47,12 +48,13 @@ final class SavedState {
     for (int n = 0; n < bundles.size(); n++) {
       scratch.cursor.begin(bundles.cellAt(n).plan());
       while (scratch.cursor.next()) {
-        for (double[] row : scratch.rows) {
+        for (double[] row : scratch.chunk.wide) {
           for (int k = 0; k < scratch.cursor.nodes(); k++) {
             row[k] = in.readDouble();
           }
         }
-        scratch.cursor.write(phase.previous(), phase.streamed(), scratch.rows);
+        scratch.chunk.narrow(scratch.cursor.nodes());
+        scratch.cursor.write(phase.previous(), phase.streamed(), scratch.chunk);
       }
     }
   }

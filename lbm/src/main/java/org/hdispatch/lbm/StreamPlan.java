@@ -15,7 +15,7 @@ package org.hdispatch.lbm;
  *       every velocity; several rows at equal distances make one segment. A segment needs one
  *       address a velocity, and is collided where it stands (after Wittmann, Zeiser, Hager,
  *       Wellein, arXiv 1410.0412).
- *   <li>in <em>batches</em> of at most {@link Chunk#NODES} nodes, gathered into the worker's
+ *   <li>in <em>batches</em> of at most {@link ChunkRows#NODES} nodes, gathered into the worker's
  *       scratch and scattered from there: the nodes at the ends of rows and in narrow pores. A link
  *       is 16 bits; those that lead to another bundle come in groups.
  * </ul>

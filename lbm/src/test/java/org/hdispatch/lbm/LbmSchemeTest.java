@@ -113,7 +113,7 @@ class LbmSchemeTest {
                 Handout.PULL,
                 ScratchLifetime.ENDURING);
         for (Streaming streaming : Streaming.values()) {
-          for (KernelForm kernel : List.of(KernelForm.REFERENCE, KernelForm.LOOPS)) {
+          for (KernelForm kernel : List.of(KernelForm.REFERENCE, KernelForm.SCALAR)) {
             for (BundleSize size : List.of(BundleSize.cube(6), new BundleSize(64, 3, 5))) {
               LbmSchemeBuilder other =
                   flow(set, form)

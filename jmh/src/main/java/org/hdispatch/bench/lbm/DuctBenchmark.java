@@ -41,7 +41,7 @@ import org.openjdk.jmh.annotations.Warmup;
  * <pre>{@code
  * java -jar jmh/target/benchmarks.jar DuctBenchmark
  * java -jar jmh/target/benchmarks.jar DuctBenchmark -p bundle=32x8x8 -p velocitySet=D3Q15 \
- *     -p streaming=IN_PLACE,PULL,PUSH -p storage=DOUBLE,SINGLE -p kernel=LOOPS,REFERENCE
+ *     -p streaming=IN_PLACE,PULL,PUSH -p storage=DOUBLE,SINGLE -p kernel=SCALAR,REFERENCE
  * java -jar jmh/target/benchmarks.jar DuctBenchmark -p side=200 -p velocitySet=D3Q15 \
  *     -p bundle=10,20,32x8x8,50,200x200x10 -jvmArgs "-Xmx5g -XX:G1HeapRegionSize=16m"
  * }</pre>

@@ -29,7 +29,7 @@ public abstract class LbmRun {
   @Param("DOUBLE")
   public Storage storage;
 
-  /** Form of the kernel: FASTEST that this JVM can run, or REFERENCE, LOOPS, VECTOR. */
+  /** Form of the kernel: FASTEST that this JVM can run, or REFERENCE, SCALAR, VECTOR. */
   @Param(Kernels.FASTEST)
   public String kernel;
 

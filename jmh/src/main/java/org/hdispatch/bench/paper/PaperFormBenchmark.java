@@ -80,7 +80,7 @@ public class PaperFormBenchmark {
     public VelocitySet velocitySet;
 
     /**
-     * Kernel of the flat forms but FLAT_REFERENCE: FASTEST that this JVM can run, LOOPS, VECTOR.
+     * Kernel of the flat forms but FLAT_REFERENCE: FASTEST that this JVM can run, SCALAR, VECTOR.
      */
     @Param(Kernels.FASTEST)
     public String kernel;

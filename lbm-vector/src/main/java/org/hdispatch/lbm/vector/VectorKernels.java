@@ -27,8 +27,8 @@ public final class VectorKernels implements CollisionKernels {
     }
     boolean linear = coefficients.equilibrium() == Equilibrium.LINEAR;
     if (coefficients.set() == VelocitySet.D3Q15) {
-      return linear ? new D3Q15LinearKernel(coefficients) : new D3Q15QuadraticKernel(coefficients);
+      return linear ? new VectorD3Q15Linear(coefficients) : new VectorD3Q15Quadratic(coefficients);
     }
-    return linear ? new D3Q19LinearKernel(coefficients) : new D3Q19QuadraticKernel(coefficients);
+    return linear ? new VectorD3Q19Linear(coefficients) : new VectorD3Q19Quadratic(coefficients);
   }
 }

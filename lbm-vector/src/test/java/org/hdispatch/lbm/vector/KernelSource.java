@@ -3,121 +3,143 @@ package org.hdispatch.lbm.vector;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.LinkedHashMap;
 import java.util.List;
+import java.util.Map;
 import org.hdispatch.lbm.Equilibrium;
 import org.hdispatch.lbm.VelocitySet;
 
 /**
- * Writes the kernels from the lattice's table: the formulas of the reference kernel, straight-line,
- * once with vectors and once for the nodes that are left over.
+ * Writes the fast kernels from the lattice's table: the formulas of the reference kernel,
+ * straight-line. Those of this module do whole vectors of nodes; those of {@code lbm} do node by
+ * node, on any JVM, and here what is left over.
  *
  * <p>{@code main} writes the files; {@code KernelSourceTest} compares them with what this class
  * writes.
  */
 final class KernelSource {
+  private static final Path MAIN = Path.of("src/main/java/org/hdispatch/lbm");
+
   private final VelocitySet set;
   private final boolean quadratic;
+  private final boolean vectors; // else node by node
   private final StringBuilder text = new StringBuilder();
   private String margin = "";
-  private boolean vectors; // else single nodes
+  private String type; // of a number: "double" or "float"
   private String out; // arrays written to: "in" in place, else "out"
 
-  private KernelSource(VelocitySet set, Equilibrium equilibrium) {
+  private KernelSource(VelocitySet set, Equilibrium equilibrium, boolean vectors) {
     this.set = set;
+    this.vectors = vectors;
     quadratic = equilibrium == Equilibrium.QUADRATIC;
   }
 
-  /**
-   * Writes all kernels.
-   *
-   * @param folder of the sources of the package
-   */
-  public static void main(String[] folder) throws IOException {
+  /** Writes all kernels; to be run in the folder of this module. */
+  public static void main(String[] none) throws IOException {
     for (VelocitySet set : VelocitySet.values()) {
-      for (Equilibrium equilibrium : Equilibrium.values()) {
-        Path file = Path.of(folder[0]).resolve(className(set, equilibrium) + ".java");
-        Files.writeString(file, of(set, equilibrium));
+      for (Map.Entry<Path, String> file : files(set).entrySet()) {
+        Files.writeString(file.getKey(), file.getValue());
       }
     }
   }
 
-  static String className(VelocitySet set, Equilibrium equilibrium) {
-    return set + (equilibrium == Equilibrium.QUADRATIC ? "Quadratic" : "Linear") + "Kernel";
+  /** Source text of the kernels of a lattice, by file. */
+  static Map<Path, String> files(VelocitySet set) {
+    Map<Path, String> files = new LinkedHashMap<>();
+    for (Equilibrium equilibrium : Equilibrium.values()) {
+      String name = set + (equilibrium == Equilibrium.QUADRATIC ? "Quadratic" : "Linear");
+      files.put(
+          Path.of("../lbm").resolve(MAIN).resolve("Scalar" + name + ".java"),
+          new KernelSource(set, equilibrium, false).scalar("Scalar" + name));
+      files.put(
+          MAIN.resolve("vector").resolve("Vector" + name + ".java"),
+          new KernelSource(set, equilibrium, true).vector("Vector" + name));
+    }
+    return files;
   }
 
-  /** Source text of the kernel of a lattice and an equilibrium. */
-  static String of(VelocitySet set, Equilibrium equilibrium) {
-    return new KernelSource(set, equilibrium).write(className(set, equilibrium));
-  }
-
-  private String write(String name) {
-    line("package org.hdispatch.lbm.vector;");
+  private String scalar(String name) {
+    line("package org.hdispatch.lbm;");
     line("");
-    line("import jdk.incubator.vector.DoubleVector;");
-    line("import jdk.incubator.vector.VectorSpecies;");
-    line("import org.hdispatch.lbm.CollisionCoefficients;");
-    line("");
-    String form = quadratic ? "quadratic" : "linear";
-    line("/** " + set + ", " + form + " equilibrium. Written by KernelSource: do not edit. */");
-    open("final class " + name + " extends VectorKernel");
-    line("private static final VectorSpecies<Double> DOUBLES = Lanes.DOUBLES;");
-    line("");
+    line("/** " + title() + ", node by node. Written by KernelSource: do not edit. */");
+    open("final class " + name + " implements CollisionKernel");
     line("private final CollisionCoefficients c;");
     line("");
     open(name + "(CollisionCoefficients coefficients)");
-    line("super(coefficients.set());");
     line("c = coefficients;");
     close();
-    line("");
-    methods();
+    for (String each : List.of("double", "float")) {
+      type = each;
+      out = "out";
+      line("");
+      line("@Override");
+      line("public void collide(");
+      open("    " + places() + ", int n, int rows, int pitch)");
+      loops("1");
+      close();
+    }
     close();
     return text.toString();
   }
 
-  private void methods() {
-    String arrays = "double[][] ";
-    String places = arrays + "in, int[] inAt, " + arrays + "out, int[] outAt, ";
-    line("@Override");
-    line("public void collide(");
-    open("    " + places + "int n, int rows, int pitch)");
-    line("int whole = DOUBLES.loopBound(n);");
-    open("if (in == out && inAt == outAt)");
-    line("inPlace(in, inAt, whole, rows, pitch);");
-    margin = margin.substring(2);
-    open("} else");
-    line("apart(in, inAt, out, outAt, whole, rows, pitch);");
-    close();
-    open("if (whole < n)");
-    line("rest(in, inAt, out, outAt, n, rows, pitch);");
-    close();
-    close();
+  private String vector(String name) {
+    line("package org.hdispatch.lbm.vector;");
     line("");
-    vectors = true;
-    out = "in";
-    open("private void inPlace(" + arrays + "in, int[] inAt, int n, int rows, int pitch)");
-    loops("0", "n", "DOUBLES.length()");
-    close();
+    line("import jdk.incubator.vector.DoubleVector;");
+    line("import jdk.incubator.vector.FloatVector;");
+    line("import jdk.incubator.vector.VectorSpecies;");
+    line("import org.hdispatch.lbm.CollisionCoefficients;");
     line("");
-    out = "out";
-    line("private void apart(");
-    open("    " + places + "int n, int rows, int pitch)");
-    loops("0", "n", "DOUBLES.length()");
-    close();
+    line("/** " + title() + ". Written by KernelSource: do not edit. */");
+    open("final class " + name + " extends VectorKernel");
+    line("private static final VectorSpecies<Double> DOUBLES = VectorKernel.DOUBLES;");
+    line("private static final VectorSpecies<Float> FLOATS = VectorKernel.FLOATS;");
     line("");
-    vectors = false;
-    line("private void rest(");
-    open("    " + places + "int n, int rows, int pitch)");
-    line("final int done = DOUBLES.loopBound(n);");
-    loops("done", "n", "1");
+    line("private final CollisionCoefficients c;");
+    line("");
+    open(name + "(CollisionCoefficients coefficients)");
+    line("super(coefficients);");
+    line("c = coefficients;");
     close();
+    for (String each : List.of("double", "float")) {
+      type = each;
+      out = "in";
+      line("");
+      line("@Override");
+      open("void inPlace(" + type + "[][] in, int[] inAt, int n, int rows, int pitch)");
+      loops(species() + ".length()");
+      close();
+      out = "out";
+      line("");
+      line("@Override");
+      open("void apart(" + places() + ", int n, int rows, int pitch)");
+      loops(species() + ".length()");
+      close();
+    }
+    close();
+    return text.toString();
   }
 
-  private void loops(String from, String to, String step) {
+  private String title() {
+    return set + ", " + (quadratic ? "quadratic" : "linear") + " equilibrium";
+  }
+
+  private String places() {
+    return type + "[][] in, int[] inAt, " + type + "[][] out, int[] outAt";
+  }
+
+  private String species() {
+    return type.equals("double") ? "DOUBLES" : "FLOATS";
+  }
+
+  private String vectorType() {
+    return type.equals("double") ? "DoubleVector" : "FloatVector";
+  }
+
+  private void loops(String step) {
     constants();
     open("for (int row = 0, first = 0; row < rows; row++, first += pitch)");
-    String begin = from.equals("0") ? "first" : "first + " + from;
-    String next = step.equals("1") ? "k++" : "k += " + step;
-    open("for (int k = " + begin + "; k < first + " + to + "; " + next + ")");
+    open("for (int k = first; k < first + n; " + (step.equals("1") ? "k++" : "k += " + step) + ")");
     node();
     close();
     close();
@@ -126,7 +148,7 @@ final class KernelSource {
   private void constants() {
     for (String rows : out.equals("in") ? List.of("in") : List.of("in", "out")) {
       for (int i = 0; i < set.size(); i++) {
-        line("final double[] " + rows + i + " = " + rows + "[" + i + "];");
+        line("final " + type + "[] " + rows + i + " = " + rows + "[" + i + "];");
         line("final int " + rows + "At" + i + " = " + rows + "At[" + i + "];");
       }
     }
@@ -162,10 +184,12 @@ final class KernelSource {
   }
 
   private void constant(String name, String value) {
+    String own = type.equals("double") ? value : "(float) " + group(value);
     if (vectors) {
-      line("final DoubleVector " + name + " = DoubleVector.broadcast(DOUBLES, " + value + ");");
+      String broadcast = vectorType() + ".broadcast(" + species() + ", " + own + ")";
+      line("final " + vectorType() + " " + name + " = " + broadcast + ";");
     } else {
-      line("final double " + name + " = " + value + ";");
+      line("final " + type + " " + name + " = " + own + ";");
     }
   }
 
@@ -256,7 +280,7 @@ final class KernelSource {
   }
 
   private String value(String name, String expression) {
-    line((vectors ? "DoubleVector " : "double ") + name + " = " + expression + ";");
+    line((vectors ? vectorType() : type) + " " + name + " = " + expression + ";");
     return name;
   }
 
@@ -265,7 +289,7 @@ final class KernelSource {
     if (!vectors) {
       return "in" + i + "[inAt" + i + " + k]";
     }
-    return "DoubleVector.fromArray(DOUBLES, " + place + ")";
+    return vectorType() + ".fromArray(" + species() + ", " + place + ")";
   }
 
   private void store(int i, String expression) {
@@ -304,7 +328,7 @@ final class KernelSource {
   }
 
   private String group(String a) {
-    return !vectors && a.contains(" ") && !a.startsWith("Math") ? "(" + a + ")" : a;
+    return a.contains(" ") && !a.startsWith("Math") ? "(" + a + ")" : a;
   }
 
   private void open(String head) {

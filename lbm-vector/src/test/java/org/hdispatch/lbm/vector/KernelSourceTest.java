@@ -5,25 +5,23 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
-import org.hdispatch.lbm.Equilibrium;
+import java.util.Map;
 import org.hdispatch.lbm.VelocitySet;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.EnumSource;
 
 class KernelSourceTest {
   /**
-   * After a change: {@code mvn -q -pl lbm-vector -am test-compile} and {@code java -cp
-   * lbm-vector/target/test-classes:lbm/target/classes org.hdispatch.lbm.vector.KernelSource
-   * lbm-vector/src/main/java/org/hdispatch/lbm/vector}.
+   * After a change: {@code mvn -q -pl lbm-vector -am test-compile} and, in the folder {@code
+   * lbm-vector}, {@code java -cp target/test-classes:../lbm/target/classes
+   * org.hdispatch.lbm.vector.KernelSource}.
    */
   @ParameterizedTest
   @EnumSource(VelocitySet.class)
   void kernelsAreWhatTheTableGives(VelocitySet set) throws IOException {
-    for (Equilibrium equilibrium : Equilibrium.values()) {
-      String name = KernelSource.className(set, equilibrium) + ".java";
-      Path file = Path.of("src/main/java/org/hdispatch/lbm/vector", name);
-      String written = Files.readString(file).replace("\r\n", "\n");
-      assertEquals(KernelSource.of(set, equilibrium), written, name);
+    for (Map.Entry<Path, String> file : KernelSource.files(set).entrySet()) {
+      String written = Files.readString(file.getKey()).replace("\r\n", "\n");
+      assertEquals(file.getValue(), written, file.getKey().toString());
     }
   }
 }

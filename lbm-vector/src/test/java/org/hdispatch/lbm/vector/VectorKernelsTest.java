@@ -47,7 +47,7 @@ class VectorKernelsTest {
             new Collision(set, Relaxation.trt(tau), equilibrium, new BodyForce(1e-3, -2e-3, 5e-4));
         CollisionKernel vectors = new VectorKernels().kernel(collision.coefficients());
         CollisionKernel reference = KernelForm.REFERENCE.kernels().kernel(collision.coefficients());
-        for (int n : new int[] {1, 7, 8, 9, 16, 41}) {
+        for (int n : new int[] {1, 7, 8, 9, 16, 17, 41}) {
           for (boolean inPlace : new boolean[] {true, false}) {
             String text = set + " " + equilibrium + " tau=" + tau + " n=" + n + " " + inPlace;
             double[][] expected = collideDouble(reference, set, n, inPlace);

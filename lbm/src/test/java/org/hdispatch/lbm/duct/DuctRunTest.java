@@ -28,7 +28,7 @@ class DuctRunTest {
         new BundleSize(side, 4, 4),
         Streaming.IN_PLACE,
         Storage.DOUBLE,
-        KernelForm.LOOPS);
+        KernelForm.SCALAR);
   }
 
   private DuctFigures measure(DuctRun run, int workers, DuctRun.Listener listener) {

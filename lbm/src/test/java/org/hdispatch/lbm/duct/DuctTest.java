@@ -17,7 +17,7 @@ import org.junit.jupiter.params.provider.CsvSource;
 
 class DuctTest {
   private static Duct duct(int side, Streaming streaming, Storage storage, BundleSize bundle) {
-    return new Duct(side, VelocitySet.D3Q15, bundle, streaming, storage, KernelForm.LOOPS);
+    return new Duct(side, VelocitySet.D3Q15, bundle, streaming, storage, KernelForm.SCALAR);
   }
 
   private static Duct duct(int side) {

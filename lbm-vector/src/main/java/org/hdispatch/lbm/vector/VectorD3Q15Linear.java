@@ -1,35 +1,24 @@
 package org.hdispatch.lbm.vector;
 
 import jdk.incubator.vector.DoubleVector;
+import jdk.incubator.vector.FloatVector;
 import jdk.incubator.vector.VectorSpecies;
 import org.hdispatch.lbm.CollisionCoefficients;
 
 /** D3Q15, linear equilibrium. Written by KernelSource: do not edit. */
-final class D3Q15LinearKernel extends VectorKernel {
-  private static final VectorSpecies<Double> DOUBLES = Lanes.DOUBLES;
+final class VectorD3Q15Linear extends VectorKernel {
+  private static final VectorSpecies<Double> DOUBLES = VectorKernel.DOUBLES;
+  private static final VectorSpecies<Float> FLOATS = VectorKernel.FLOATS;
 
   private final CollisionCoefficients c;
 
-  D3Q15LinearKernel(CollisionCoefficients coefficients) {
-    super(coefficients.set());
+  VectorD3Q15Linear(CollisionCoefficients coefficients) {
+    super(coefficients);
     c = coefficients;
   }
 
   @Override
-  public void collide(
-      double[][] in, int[] inAt, double[][] out, int[] outAt, int n, int rows, int pitch) {
-    int whole = DOUBLES.loopBound(n);
-    if (in == out && inAt == outAt) {
-      inPlace(in, inAt, whole, rows, pitch);
-    } else {
-      apart(in, inAt, out, outAt, whole, rows, pitch);
-    }
-    if (whole < n) {
-      rest(in, inAt, out, outAt, n, rows, pitch);
-    }
-  }
-
-  private void inPlace(double[][] in, int[] inAt, int n, int rows, int pitch) {
+  void inPlace(double[][] in, int[] inAt, int n, int rows, int pitch) {
     final double[] in0 = in[0];
     final int inAt0 = inAt[0];
     final double[] in1 = in[1];
@@ -163,8 +152,8 @@ final class D3Q15LinearKernel extends VectorKernel {
     }
   }
 
-  private void apart(
-      double[][] in, int[] inAt, double[][] out, int[] outAt, int n, int rows, int pitch) {
+  @Override
+  void apart(double[][] in, int[] inAt, double[][] out, int[] outAt, int n, int rows, int pitch) {
     final double[] in0 = in[0];
     final int inAt0 = inAt[0];
     final double[] in1 = in[1];
@@ -328,168 +317,302 @@ final class D3Q15LinearKernel extends VectorKernel {
     }
   }
 
-  private void rest(
-      double[][] in, int[] inAt, double[][] out, int[] outAt, int n, int rows, int pitch) {
-    final int done = DOUBLES.loopBound(n);
-    final double[] in0 = in[0];
+  @Override
+  void inPlace(float[][] in, int[] inAt, int n, int rows, int pitch) {
+    final float[] in0 = in[0];
     final int inAt0 = inAt[0];
-    final double[] in1 = in[1];
+    final float[] in1 = in[1];
     final int inAt1 = inAt[1];
-    final double[] in2 = in[2];
+    final float[] in2 = in[2];
     final int inAt2 = inAt[2];
-    final double[] in3 = in[3];
+    final float[] in3 = in[3];
     final int inAt3 = inAt[3];
-    final double[] in4 = in[4];
+    final float[] in4 = in[4];
     final int inAt4 = inAt[4];
-    final double[] in5 = in[5];
+    final float[] in5 = in[5];
     final int inAt5 = inAt[5];
-    final double[] in6 = in[6];
+    final float[] in6 = in[6];
     final int inAt6 = inAt[6];
-    final double[] in7 = in[7];
+    final float[] in7 = in[7];
     final int inAt7 = inAt[7];
-    final double[] in8 = in[8];
+    final float[] in8 = in[8];
     final int inAt8 = inAt[8];
-    final double[] in9 = in[9];
+    final float[] in9 = in[9];
     final int inAt9 = inAt[9];
-    final double[] in10 = in[10];
+    final float[] in10 = in[10];
     final int inAt10 = inAt[10];
-    final double[] in11 = in[11];
+    final float[] in11 = in[11];
     final int inAt11 = inAt[11];
-    final double[] in12 = in[12];
+    final float[] in12 = in[12];
     final int inAt12 = inAt[12];
-    final double[] in13 = in[13];
+    final float[] in13 = in[13];
     final int inAt13 = inAt[13];
-    final double[] in14 = in[14];
+    final float[] in14 = in[14];
     final int inAt14 = inAt[14];
-    final double[] out0 = out[0];
-    final int outAt0 = outAt[0];
-    final double[] out1 = out[1];
-    final int outAt1 = outAt[1];
-    final double[] out2 = out[2];
-    final int outAt2 = outAt[2];
-    final double[] out3 = out[3];
-    final int outAt3 = outAt[3];
-    final double[] out4 = out[4];
-    final int outAt4 = outAt[4];
-    final double[] out5 = out[5];
-    final int outAt5 = outAt[5];
-    final double[] out6 = out[6];
-    final int outAt6 = outAt[6];
-    final double[] out7 = out[7];
-    final int outAt7 = outAt[7];
-    final double[] out8 = out[8];
-    final int outAt8 = outAt[8];
-    final double[] out9 = out[9];
-    final int outAt9 = outAt[9];
-    final double[] out10 = out[10];
-    final int outAt10 = outAt[10];
-    final double[] out11 = out[11];
-    final int outAt11 = outAt[11];
-    final double[] out12 = out[12];
-    final int outAt12 = outAt[12];
-    final double[] out13 = out[13];
-    final int outAt13 = outAt[13];
-    final double[] out14 = out[14];
-    final int outAt14 = outAt[14];
-    final double keepRest = c.keepRest;
-    final double keep = c.keep;
-    final double cross = c.cross;
-    final double halfX = c.forceX() / 2;
-    final double halfY = c.forceY() / 2;
-    final double halfZ = c.forceZ() / 2;
-    final double even0 = c.even[0];
-    final double even1 = c.even[1];
-    final double odd1 = c.odd[1];
-    final double even4 = c.even[4];
-    final double odd4 = c.odd[4];
-    final double push1 = c.push[1];
-    final double push2 = c.push[2];
-    final double push3 = c.push[3];
-    final double push4 = c.push[4];
-    final double push5 = c.push[5];
-    final double push6 = c.push[6];
-    final double push7 = c.push[7];
+    final FloatVector keepRest = FloatVector.broadcast(FLOATS, (float) c.keepRest);
+    final FloatVector keep = FloatVector.broadcast(FLOATS, (float) c.keep);
+    final FloatVector cross = FloatVector.broadcast(FLOATS, (float) c.cross);
+    final FloatVector halfX = FloatVector.broadcast(FLOATS, (float) (c.forceX() / 2));
+    final FloatVector halfY = FloatVector.broadcast(FLOATS, (float) (c.forceY() / 2));
+    final FloatVector halfZ = FloatVector.broadcast(FLOATS, (float) (c.forceZ() / 2));
+    final FloatVector even0 = FloatVector.broadcast(FLOATS, (float) c.even[0]);
+    final FloatVector even1 = FloatVector.broadcast(FLOATS, (float) c.even[1]);
+    final FloatVector odd1 = FloatVector.broadcast(FLOATS, (float) c.odd[1]);
+    final FloatVector even4 = FloatVector.broadcast(FLOATS, (float) c.even[4]);
+    final FloatVector odd4 = FloatVector.broadcast(FLOATS, (float) c.odd[4]);
+    final FloatVector push1 = FloatVector.broadcast(FLOATS, (float) c.push[1]);
+    final FloatVector push2 = FloatVector.broadcast(FLOATS, (float) c.push[2]);
+    final FloatVector push3 = FloatVector.broadcast(FLOATS, (float) c.push[3]);
+    final FloatVector push4 = FloatVector.broadcast(FLOATS, (float) c.push[4]);
+    final FloatVector push5 = FloatVector.broadcast(FLOATS, (float) c.push[5]);
+    final FloatVector push6 = FloatVector.broadcast(FLOATS, (float) c.push[6]);
+    final FloatVector push7 = FloatVector.broadcast(FLOATS, (float) c.push[7]);
     for (int row = 0, first = 0; row < rows; row++, first += pitch) {
-      for (int k = first + done; k < first + n; k++) {
-        double f0 = in0[inAt0 + k];
-        double f1 = in1[inAt1 + k];
-        double f2 = in2[inAt2 + k];
-        double f3 = in3[inAt3 + k];
-        double f4 = in4[inAt4 + k];
-        double f5 = in5[inAt5 + k];
-        double f6 = in6[inAt6 + k];
-        double f7 = in7[inAt7 + k];
-        double f8 = in8[inAt8 + k];
-        double f9 = in9[inAt9 + k];
-        double f10 = in10[inAt10 + k];
-        double f11 = in11[inAt11 + k];
-        double f12 = in12[inAt12 + k];
-        double f13 = in13[inAt13 + k];
-        double f14 = in14[inAt14 + k];
-        double dif1 = f1 - f2;
-        double d1 = f0 + (f1 + f2);
-        double jz1 = halfZ + dif1;
-        double dif2 = f3 - f4;
-        double d2 = d1 + (f3 + f4);
-        double jy2 = halfY + dif2;
-        double dif3 = f5 - f6;
-        double d3 = d2 + (f5 + f6);
-        double jx3 = halfX + dif3;
-        double dif4 = f7 - f8;
-        double d4 = d3 + (f7 + f8);
-        double jx4 = jx3 + dif4;
-        double jy4 = jy2 + dif4;
-        double jz4 = jz1 + dif4;
-        double dif5 = f9 - f10;
-        double d5 = d4 + (f9 + f10);
-        double jx5 = jx4 - dif5;
-        double jy5 = jy4 + dif5;
-        double jz5 = jz4 + dif5;
-        double dif6 = f11 - f12;
-        double d6 = d5 + (f11 + f12);
-        double jx6 = jx5 + dif6;
-        double jy6 = jy5 - dif6;
-        double jz6 = jz5 + dif6;
-        double dif7 = f13 - f14;
-        double d7 = d6 + (f13 + f14);
-        double jx7 = jx6 - dif7;
-        double jy7 = jy6 - dif7;
-        double jz7 = jz6 + dif7;
-        out0[outAt0 + k] = Math.fma(keepRest, f0, even0 * d7);
-        double rise1 = even1 * d7;
-        double e1 = rise1;
-        double o1 = Math.fma(odd1, jz7, push1);
-        out1[outAt1 + k] = Math.fma(keep, f2, Math.fma(cross, f1, e1)) - o1;
-        out2[outAt2 + k] = Math.fma(keep, f1, Math.fma(cross, f2, e1)) + o1;
-        double e2 = rise1;
-        double o2 = Math.fma(odd1, jy7, push2);
-        out3[outAt3 + k] = Math.fma(keep, f4, Math.fma(cross, f3, e2)) - o2;
-        out4[outAt4 + k] = Math.fma(keep, f3, Math.fma(cross, f4, e2)) + o2;
-        double e3 = rise1;
-        double o3 = Math.fma(odd1, jx7, push3);
-        out5[outAt5 + k] = Math.fma(keep, f6, Math.fma(cross, f5, e3)) - o3;
-        out6[outAt6 + k] = Math.fma(keep, f5, Math.fma(cross, f6, e3)) + o3;
-        double cj4 = jx7 + jy7 + jz7;
-        double rise4 = even4 * d7;
-        double e4 = rise4;
-        double o4 = Math.fma(odd4, cj4, push4);
-        out7[outAt7 + k] = Math.fma(keep, f8, Math.fma(cross, f7, e4)) - o4;
-        out8[outAt8 + k] = Math.fma(keep, f7, Math.fma(cross, f8, e4)) + o4;
-        double cj5 = -jx7 + jy7 + jz7;
-        double e5 = rise4;
-        double o5 = Math.fma(odd4, cj5, push5);
-        out9[outAt9 + k] = Math.fma(keep, f10, Math.fma(cross, f9, e5)) - o5;
-        out10[outAt10 + k] = Math.fma(keep, f9, Math.fma(cross, f10, e5)) + o5;
-        double cj6 = jx7 - jy7 + jz7;
-        double e6 = rise4;
-        double o6 = Math.fma(odd4, cj6, push6);
-        out11[outAt11 + k] = Math.fma(keep, f12, Math.fma(cross, f11, e6)) - o6;
-        out12[outAt12 + k] = Math.fma(keep, f11, Math.fma(cross, f12, e6)) + o6;
-        double cj7 = -jx7 - jy7 + jz7;
-        double e7 = rise4;
-        double o7 = Math.fma(odd4, cj7, push7);
-        out13[outAt13 + k] = Math.fma(keep, f14, Math.fma(cross, f13, e7)) - o7;
-        out14[outAt14 + k] = Math.fma(keep, f13, Math.fma(cross, f14, e7)) + o7;
+      for (int k = first; k < first + n; k += FLOATS.length()) {
+        FloatVector f0 = FloatVector.fromArray(FLOATS, in0, inAt0 + k);
+        FloatVector f1 = FloatVector.fromArray(FLOATS, in1, inAt1 + k);
+        FloatVector f2 = FloatVector.fromArray(FLOATS, in2, inAt2 + k);
+        FloatVector f3 = FloatVector.fromArray(FLOATS, in3, inAt3 + k);
+        FloatVector f4 = FloatVector.fromArray(FLOATS, in4, inAt4 + k);
+        FloatVector f5 = FloatVector.fromArray(FLOATS, in5, inAt5 + k);
+        FloatVector f6 = FloatVector.fromArray(FLOATS, in6, inAt6 + k);
+        FloatVector f7 = FloatVector.fromArray(FLOATS, in7, inAt7 + k);
+        FloatVector f8 = FloatVector.fromArray(FLOATS, in8, inAt8 + k);
+        FloatVector f9 = FloatVector.fromArray(FLOATS, in9, inAt9 + k);
+        FloatVector f10 = FloatVector.fromArray(FLOATS, in10, inAt10 + k);
+        FloatVector f11 = FloatVector.fromArray(FLOATS, in11, inAt11 + k);
+        FloatVector f12 = FloatVector.fromArray(FLOATS, in12, inAt12 + k);
+        FloatVector f13 = FloatVector.fromArray(FLOATS, in13, inAt13 + k);
+        FloatVector f14 = FloatVector.fromArray(FLOATS, in14, inAt14 + k);
+        FloatVector dif1 = f1.sub(f2);
+        FloatVector d1 = f0.add(f1.add(f2));
+        FloatVector jz1 = halfZ.add(dif1);
+        FloatVector dif2 = f3.sub(f4);
+        FloatVector d2 = d1.add(f3.add(f4));
+        FloatVector jy2 = halfY.add(dif2);
+        FloatVector dif3 = f5.sub(f6);
+        FloatVector d3 = d2.add(f5.add(f6));
+        FloatVector jx3 = halfX.add(dif3);
+        FloatVector dif4 = f7.sub(f8);
+        FloatVector d4 = d3.add(f7.add(f8));
+        FloatVector jx4 = jx3.add(dif4);
+        FloatVector jy4 = jy2.add(dif4);
+        FloatVector jz4 = jz1.add(dif4);
+        FloatVector dif5 = f9.sub(f10);
+        FloatVector d5 = d4.add(f9.add(f10));
+        FloatVector jx5 = jx4.sub(dif5);
+        FloatVector jy5 = jy4.add(dif5);
+        FloatVector jz5 = jz4.add(dif5);
+        FloatVector dif6 = f11.sub(f12);
+        FloatVector d6 = d5.add(f11.add(f12));
+        FloatVector jx6 = jx5.add(dif6);
+        FloatVector jy6 = jy5.sub(dif6);
+        FloatVector jz6 = jz5.add(dif6);
+        FloatVector dif7 = f13.sub(f14);
+        FloatVector d7 = d6.add(f13.add(f14));
+        FloatVector jx7 = jx6.sub(dif7);
+        FloatVector jy7 = jy6.sub(dif7);
+        FloatVector jz7 = jz6.add(dif7);
+        keepRest.fma(f0, even0.mul(d7)).intoArray(in0, inAt0 + k);
+        FloatVector rise1 = even1.mul(d7);
+        FloatVector e1 = rise1;
+        FloatVector o1 = odd1.fma(jz7, push1);
+        keep.fma(f2, cross.fma(f1, e1)).sub(o1).intoArray(in1, inAt1 + k);
+        keep.fma(f1, cross.fma(f2, e1)).add(o1).intoArray(in2, inAt2 + k);
+        FloatVector e2 = rise1;
+        FloatVector o2 = odd1.fma(jy7, push2);
+        keep.fma(f4, cross.fma(f3, e2)).sub(o2).intoArray(in3, inAt3 + k);
+        keep.fma(f3, cross.fma(f4, e2)).add(o2).intoArray(in4, inAt4 + k);
+        FloatVector e3 = rise1;
+        FloatVector o3 = odd1.fma(jx7, push3);
+        keep.fma(f6, cross.fma(f5, e3)).sub(o3).intoArray(in5, inAt5 + k);
+        keep.fma(f5, cross.fma(f6, e3)).add(o3).intoArray(in6, inAt6 + k);
+        FloatVector cj4 = jx7.add(jy7).add(jz7);
+        FloatVector rise4 = even4.mul(d7);
+        FloatVector e4 = rise4;
+        FloatVector o4 = odd4.fma(cj4, push4);
+        keep.fma(f8, cross.fma(f7, e4)).sub(o4).intoArray(in7, inAt7 + k);
+        keep.fma(f7, cross.fma(f8, e4)).add(o4).intoArray(in8, inAt8 + k);
+        FloatVector cj5 = jx7.neg().add(jy7).add(jz7);
+        FloatVector e5 = rise4;
+        FloatVector o5 = odd4.fma(cj5, push5);
+        keep.fma(f10, cross.fma(f9, e5)).sub(o5).intoArray(in9, inAt9 + k);
+        keep.fma(f9, cross.fma(f10, e5)).add(o5).intoArray(in10, inAt10 + k);
+        FloatVector cj6 = jx7.sub(jy7).add(jz7);
+        FloatVector e6 = rise4;
+        FloatVector o6 = odd4.fma(cj6, push6);
+        keep.fma(f12, cross.fma(f11, e6)).sub(o6).intoArray(in11, inAt11 + k);
+        keep.fma(f11, cross.fma(f12, e6)).add(o6).intoArray(in12, inAt12 + k);
+        FloatVector cj7 = jx7.neg().sub(jy7).add(jz7);
+        FloatVector e7 = rise4;
+        FloatVector o7 = odd4.fma(cj7, push7);
+        keep.fma(f14, cross.fma(f13, e7)).sub(o7).intoArray(in13, inAt13 + k);
+        keep.fma(f13, cross.fma(f14, e7)).add(o7).intoArray(in14, inAt14 + k);
+      }
+    }
+  }
+
+  @Override
+  void apart(float[][] in, int[] inAt, float[][] out, int[] outAt, int n, int rows, int pitch) {
+    final float[] in0 = in[0];
+    final int inAt0 = inAt[0];
+    final float[] in1 = in[1];
+    final int inAt1 = inAt[1];
+    final float[] in2 = in[2];
+    final int inAt2 = inAt[2];
+    final float[] in3 = in[3];
+    final int inAt3 = inAt[3];
+    final float[] in4 = in[4];
+    final int inAt4 = inAt[4];
+    final float[] in5 = in[5];
+    final int inAt5 = inAt[5];
+    final float[] in6 = in[6];
+    final int inAt6 = inAt[6];
+    final float[] in7 = in[7];
+    final int inAt7 = inAt[7];
+    final float[] in8 = in[8];
+    final int inAt8 = inAt[8];
+    final float[] in9 = in[9];
+    final int inAt9 = inAt[9];
+    final float[] in10 = in[10];
+    final int inAt10 = inAt[10];
+    final float[] in11 = in[11];
+    final int inAt11 = inAt[11];
+    final float[] in12 = in[12];
+    final int inAt12 = inAt[12];
+    final float[] in13 = in[13];
+    final int inAt13 = inAt[13];
+    final float[] in14 = in[14];
+    final int inAt14 = inAt[14];
+    final float[] out0 = out[0];
+    final int outAt0 = outAt[0];
+    final float[] out1 = out[1];
+    final int outAt1 = outAt[1];
+    final float[] out2 = out[2];
+    final int outAt2 = outAt[2];
+    final float[] out3 = out[3];
+    final int outAt3 = outAt[3];
+    final float[] out4 = out[4];
+    final int outAt4 = outAt[4];
+    final float[] out5 = out[5];
+    final int outAt5 = outAt[5];
+    final float[] out6 = out[6];
+    final int outAt6 = outAt[6];
+    final float[] out7 = out[7];
+    final int outAt7 = outAt[7];
+    final float[] out8 = out[8];
+    final int outAt8 = outAt[8];
+    final float[] out9 = out[9];
+    final int outAt9 = outAt[9];
+    final float[] out10 = out[10];
+    final int outAt10 = outAt[10];
+    final float[] out11 = out[11];
+    final int outAt11 = outAt[11];
+    final float[] out12 = out[12];
+    final int outAt12 = outAt[12];
+    final float[] out13 = out[13];
+    final int outAt13 = outAt[13];
+    final float[] out14 = out[14];
+    final int outAt14 = outAt[14];
+    final FloatVector keepRest = FloatVector.broadcast(FLOATS, (float) c.keepRest);
+    final FloatVector keep = FloatVector.broadcast(FLOATS, (float) c.keep);
+    final FloatVector cross = FloatVector.broadcast(FLOATS, (float) c.cross);
+    final FloatVector halfX = FloatVector.broadcast(FLOATS, (float) (c.forceX() / 2));
+    final FloatVector halfY = FloatVector.broadcast(FLOATS, (float) (c.forceY() / 2));
+    final FloatVector halfZ = FloatVector.broadcast(FLOATS, (float) (c.forceZ() / 2));
+    final FloatVector even0 = FloatVector.broadcast(FLOATS, (float) c.even[0]);
+    final FloatVector even1 = FloatVector.broadcast(FLOATS, (float) c.even[1]);
+    final FloatVector odd1 = FloatVector.broadcast(FLOATS, (float) c.odd[1]);
+    final FloatVector even4 = FloatVector.broadcast(FLOATS, (float) c.even[4]);
+    final FloatVector odd4 = FloatVector.broadcast(FLOATS, (float) c.odd[4]);
+    final FloatVector push1 = FloatVector.broadcast(FLOATS, (float) c.push[1]);
+    final FloatVector push2 = FloatVector.broadcast(FLOATS, (float) c.push[2]);
+    final FloatVector push3 = FloatVector.broadcast(FLOATS, (float) c.push[3]);
+    final FloatVector push4 = FloatVector.broadcast(FLOATS, (float) c.push[4]);
+    final FloatVector push5 = FloatVector.broadcast(FLOATS, (float) c.push[5]);
+    final FloatVector push6 = FloatVector.broadcast(FLOATS, (float) c.push[6]);
+    final FloatVector push7 = FloatVector.broadcast(FLOATS, (float) c.push[7]);
+    for (int row = 0, first = 0; row < rows; row++, first += pitch) {
+      for (int k = first; k < first + n; k += FLOATS.length()) {
+        FloatVector f0 = FloatVector.fromArray(FLOATS, in0, inAt0 + k);
+        FloatVector f1 = FloatVector.fromArray(FLOATS, in1, inAt1 + k);
+        FloatVector f2 = FloatVector.fromArray(FLOATS, in2, inAt2 + k);
+        FloatVector f3 = FloatVector.fromArray(FLOATS, in3, inAt3 + k);
+        FloatVector f4 = FloatVector.fromArray(FLOATS, in4, inAt4 + k);
+        FloatVector f5 = FloatVector.fromArray(FLOATS, in5, inAt5 + k);
+        FloatVector f6 = FloatVector.fromArray(FLOATS, in6, inAt6 + k);
+        FloatVector f7 = FloatVector.fromArray(FLOATS, in7, inAt7 + k);
+        FloatVector f8 = FloatVector.fromArray(FLOATS, in8, inAt8 + k);
+        FloatVector f9 = FloatVector.fromArray(FLOATS, in9, inAt9 + k);
+        FloatVector f10 = FloatVector.fromArray(FLOATS, in10, inAt10 + k);
+        FloatVector f11 = FloatVector.fromArray(FLOATS, in11, inAt11 + k);
+        FloatVector f12 = FloatVector.fromArray(FLOATS, in12, inAt12 + k);
+        FloatVector f13 = FloatVector.fromArray(FLOATS, in13, inAt13 + k);
+        FloatVector f14 = FloatVector.fromArray(FLOATS, in14, inAt14 + k);
+        FloatVector dif1 = f1.sub(f2);
+        FloatVector d1 = f0.add(f1.add(f2));
+        FloatVector jz1 = halfZ.add(dif1);
+        FloatVector dif2 = f3.sub(f4);
+        FloatVector d2 = d1.add(f3.add(f4));
+        FloatVector jy2 = halfY.add(dif2);
+        FloatVector dif3 = f5.sub(f6);
+        FloatVector d3 = d2.add(f5.add(f6));
+        FloatVector jx3 = halfX.add(dif3);
+        FloatVector dif4 = f7.sub(f8);
+        FloatVector d4 = d3.add(f7.add(f8));
+        FloatVector jx4 = jx3.add(dif4);
+        FloatVector jy4 = jy2.add(dif4);
+        FloatVector jz4 = jz1.add(dif4);
+        FloatVector dif5 = f9.sub(f10);
+        FloatVector d5 = d4.add(f9.add(f10));
+        FloatVector jx5 = jx4.sub(dif5);
+        FloatVector jy5 = jy4.add(dif5);
+        FloatVector jz5 = jz4.add(dif5);
+        FloatVector dif6 = f11.sub(f12);
+        FloatVector d6 = d5.add(f11.add(f12));
+        FloatVector jx6 = jx5.add(dif6);
+        FloatVector jy6 = jy5.sub(dif6);
+        FloatVector jz6 = jz5.add(dif6);
+        FloatVector dif7 = f13.sub(f14);
+        FloatVector d7 = d6.add(f13.add(f14));
+        FloatVector jx7 = jx6.sub(dif7);
+        FloatVector jy7 = jy6.sub(dif7);
+        FloatVector jz7 = jz6.add(dif7);
+        keepRest.fma(f0, even0.mul(d7)).intoArray(out0, outAt0 + k);
+        FloatVector rise1 = even1.mul(d7);
+        FloatVector e1 = rise1;
+        FloatVector o1 = odd1.fma(jz7, push1);
+        keep.fma(f2, cross.fma(f1, e1)).sub(o1).intoArray(out1, outAt1 + k);
+        keep.fma(f1, cross.fma(f2, e1)).add(o1).intoArray(out2, outAt2 + k);
+        FloatVector e2 = rise1;
+        FloatVector o2 = odd1.fma(jy7, push2);
+        keep.fma(f4, cross.fma(f3, e2)).sub(o2).intoArray(out3, outAt3 + k);
+        keep.fma(f3, cross.fma(f4, e2)).add(o2).intoArray(out4, outAt4 + k);
+        FloatVector e3 = rise1;
+        FloatVector o3 = odd1.fma(jx7, push3);
+        keep.fma(f6, cross.fma(f5, e3)).sub(o3).intoArray(out5, outAt5 + k);
+        keep.fma(f5, cross.fma(f6, e3)).add(o3).intoArray(out6, outAt6 + k);
+        FloatVector cj4 = jx7.add(jy7).add(jz7);
+        FloatVector rise4 = even4.mul(d7);
+        FloatVector e4 = rise4;
+        FloatVector o4 = odd4.fma(cj4, push4);
+        keep.fma(f8, cross.fma(f7, e4)).sub(o4).intoArray(out7, outAt7 + k);
+        keep.fma(f7, cross.fma(f8, e4)).add(o4).intoArray(out8, outAt8 + k);
+        FloatVector cj5 = jx7.neg().add(jy7).add(jz7);
+        FloatVector e5 = rise4;
+        FloatVector o5 = odd4.fma(cj5, push5);
+        keep.fma(f10, cross.fma(f9, e5)).sub(o5).intoArray(out9, outAt9 + k);
+        keep.fma(f9, cross.fma(f10, e5)).add(o5).intoArray(out10, outAt10 + k);
+        FloatVector cj6 = jx7.sub(jy7).add(jz7);
+        FloatVector e6 = rise4;
+        FloatVector o6 = odd4.fma(cj6, push6);
+        keep.fma(f12, cross.fma(f11, e6)).sub(o6).intoArray(out11, outAt11 + k);
+        keep.fma(f11, cross.fma(f12, e6)).add(o6).intoArray(out12, outAt12 + k);
+        FloatVector cj7 = jx7.neg().sub(jy7).add(jz7);
+        FloatVector e7 = rise4;
+        FloatVector o7 = odd4.fma(cj7, push7);
+        keep.fma(f14, cross.fma(f13, e7)).sub(o7).intoArray(out13, outAt13 + k);
+        keep.fma(f13, cross.fma(f14, e7)).add(o7).intoArray(out14, outAt14 + k);
       }
     }
   }
