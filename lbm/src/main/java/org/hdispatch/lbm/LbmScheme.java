@@ -102,6 +102,27 @@ public final class LbmScheme implements Scheme<NodalBundle, LbmScheme.Scratch> {
     }
   }
 
+  /** Says what to add to a fluid node. */
+  @FunctionalInterface
+  public interface NodeChange {
+    /**
+     * Fills in what to add to one node.
+     *
+     * @param change density 0 and velocity 0 on entry
+     */
+    void at(int x, int y, int z, NodeState change);
+  }
+
+  /**
+   * Adds density d and velocity u (times mean density: momentum) to the fluid nodes of one bundle,
+   * between two steps: w_i (d + 3 c_i.u) to each population, so that what is not in equilibrium
+   * stays as it is. Bundles may be changed by different workers at the same time, each with a
+   * scratch of its own.
+   */
+  public void add(NodalBundle bundle, Scratch scratch, NodeChange change) {
+    moments.add(bundle, scratch, change);
+  }
+
   @Override
   public CellMap<NodalBundle> cells() {
     return bundles;
@@ -129,6 +150,7 @@ public final class LbmScheme implements Scheme<NodalBundle, LbmScheme.Scratch> {
     private final Rows out;
     final ChunkRows chunk;
     final ChunkRows arriving; // for fluxes
+    final NodeState state = new NodeState();
     private final Immersion.Worker immersed; // null: nothing is
     private final int[] numbers = new int[ChunkRows.NODES]; // of the chunk's nodes
 

@@ -41,6 +41,31 @@ final class Moments {
     }
   }
 
+  /** Adds density and momentum to the nodes of a bundle. */
+  void add(NodalBundle bundle, LbmScheme.Scratch scratch, LbmScheme.NodeChange change) {
+    ChunkCursor cursor = scratch.cursor;
+    LbmScheme.NodeState state = scratch.state;
+    cursor.begin(bundle.plan());
+    while (cursor.next()) {
+      cursor.read(phase.previous(), phase.streamed(), scratch.chunk);
+      scratch.chunk.widen(cursor.nodes());
+      for (int k = 0; k < cursor.nodes(); k++) {
+        int place = bundle.position(cursor.node(k)); // looked up once
+        state.density = 0;
+        state.ux = 0;
+        state.uy = 0;
+        state.uz = 0;
+        change.at(bundle.xAt(place), bundle.yAt(place), bundle.zAt(place), state);
+        for (int i = 0; i < set.size(); i++) {
+          double along = set.cx(i) * state.ux + set.cy(i) * state.uy + set.cz(i) * state.uz;
+          scratch.chunk.wide[set.opposite(i)][k] += set.weight(i) * (state.density + 3 * along);
+        }
+      }
+      scratch.chunk.narrow(cursor.nodes());
+      cursor.write(phase.previous(), phase.streamed(), scratch.chunk);
+    }
+  }
+
   /** Visits the nodes of a bundle; the force is that of the step that made the populations. */
   void forEachNode(
       NodalBundle bundle,

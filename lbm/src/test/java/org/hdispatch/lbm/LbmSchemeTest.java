@@ -240,6 +240,48 @@ class LbmSchemeTest {
     }
   }
 
+  /** Wherever the populations stand: in each streaming, after none, one, two and three steps. */
+  @ParameterizedTest
+  @EnumSource(Storage.class)
+  void addsDensityAndMomentumBetweenSteps(Storage storage) {
+    double within = storage == Storage.DOUBLE ? 1e-15 : 1e-8; // 2^-24 of populations near 1e-2
+    for (Streaming streaming : Streaming.values()) {
+      LbmScheme scheme =
+          disturbed(
+              flow(VelocitySet.D3Q19, Equilibrium.QUADRATIC)
+                  .streaming(streaming)
+                  .storage(storage)
+                  .bundleSize(BundleSize.cube(6)));
+      LbmScheme.Scratch scratch = scheme.newScratch();
+      try (Dispatcher dispatcher = Dispatcher.withWorkers(2)) {
+        TimeLoop loop = dispatcher.loop(scheme);
+        for (int steps = 0; steps < 4; steps++) {
+          double[] before = state(scheme);
+          for (int n = 0; n < scheme.cells().size(); n++) {
+            scheme.add(
+                scheme.cells().cellAt(n),
+                scratch,
+                (x, y, z, change) -> {
+                  change.density = 1e-4 * x;
+                  change.ux = 2e-4 * y;
+                  change.uy = -1e-4 * z;
+                  change.uz = 3e-4;
+                });
+          }
+          scheme.forEachNode(
+              (x, y, z, density, ux, uy, uz) -> {
+                int at = 4 * (x + NX * (y + NY * z));
+                assertEquals(before[at] + 1e-4 * x, density, within);
+                assertEquals(before[at + 1] + 2e-4 * y, ux, within);
+                assertEquals(before[at + 2] - 1e-4 * z, uy, within);
+                assertEquals(before[at + 3] + 3e-4, uz, within);
+              });
+          loop.run(1);
+        }
+      }
+    }
+  }
+
   /** After an even and an odd number of steps, in both phases of the pattern in place. */
   @ParameterizedTest
   @CsvSource({"40", "41"})
