@@ -176,7 +176,7 @@ class DuctCommandTest {
             "bytes held a node",
             "0.0351442537",
             "bytes per step",
-            "warm-up apart        1000 steps")) {
+            "warm-up apart        10000 steps")) {
       assertTrue(run.out().contains(word), () -> word + " <- " + run.out());
     }
     assertTrue(run.out().chars().allMatch(c -> c < 128));

@@ -32,8 +32,11 @@ public record DuctRun(long warmUpSteps, long steps, Ending ending) {
   /** Kernels of named vector instructions are compiled late: after 12 to 24 steps of 200³ nodes. */
   private static final long LEAST_WARM_UP = 24;
 
-  private static final long MOST_WARM_UP = 1000;
+  private static final long MOST_WARM_UP = 10_000;
   private static final long WARM_UP_UPDATES = 100_000_000;
+
+  /** Node updates between two pieces of news of steps that are not measured. */
+  private static final long NEWS_UPDATES = 50_000_000;
 
   /** When a run ends. */
   public enum Ending {
@@ -168,8 +171,6 @@ public record DuctRun(long warmUpSteps, long steps, Ending ending) {
       }
     }
   }
-
-  private static final long NEWS_UPDATES = 50_000_000;
 
   private static Spread perStep(long[] nanosOfPairs) {
     double[] seconds = new double[nanosOfPairs.length];

@@ -108,7 +108,7 @@ class DuctRunTest {
   void warmUpIsLongerForSmallDucts() {
     assertEquals(24, DuctRun.warmUpFor(duct(200)));
     assertEquals(100, DuctRun.warmUpFor(duct(100)));
-    assertEquals(1000, DuctRun.warmUpFor(duct(10)));
+    assertEquals(10_000, DuctRun.warmUpFor(duct(10)));
   }
 
   @Test
