@@ -28,11 +28,6 @@ final class DuctHeap {
     return (long) Math.max(LEAST_PROBE, Math.min(MOST_PROBE, half));
   }
 
-  /** Whether a duct fits, with a small probe. */
-  static boolean fits(Host host, Duct duct) {
-    return host.heapBeside(bytes(host, duct) + LEAST_PROBE) >= 0;
-  }
-
   private static double bytes(Host host, Duct duct) {
     double bytes = duct.estimatedBytes();
     return GcWatch.collector().equals("G1")

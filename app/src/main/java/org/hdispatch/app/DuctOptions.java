@@ -13,6 +13,8 @@ import picocli.CommandLine.TypeConversionException;
 
 /** What is stepped, and for how long. */
 final class DuctOptions {
+  private static final int MOST_ROUNDS = 1000;
+
   @Option(
       names = "--size",
       paramLabel = "W",
@@ -25,7 +27,9 @@ final class DuctOptions {
       split = ",",
       hideParamSyntax = true,
       defaultValue = "200",
-      description = "Of a sweep: nodes along each axis, such as 200,300,400.")
+      description =
+          "Of a sweep: nodes along each axis, such as 200,300,400. The best bundle is that of the"
+              + " first.")
   private List<Integer> sizes;
 
   @Option(
@@ -97,12 +101,14 @@ final class DuctOptions {
       defaultValue = "1",
       description =
           "Of a sweep: go through it so often, and keep of each run the one with the most usual"
-              + " bandwidth beside it.")
+              + " bandwidth beside it (1 to 1000).")
   private int rounds;
 
   @Option(
       names = "--no-store",
-      description = "Of a sweep: do not store the best shape as the default of --bundle.")
+      description =
+          "Of a sweep: do not store the best shape as the default of --bundle. Ducts below 100 nodes"
+              + " a side store nothing anyway.")
   private boolean noStore;
 
   /** Reads a way of streaming: picocli knows no hyphens in enumerations. */
@@ -129,9 +135,12 @@ final class DuctOptions {
   /**
    * Sizes of a sweep.
    *
-   * @throws UsageException if one is out of its bounds
+   * @throws UsageException if there is none, or one is out of its bounds
    */
   List<Integer> sizes() {
+    if (sizes.isEmpty()) {
+      throw new UsageException("sizes must number at least 1: sizes=0");
+    }
     BundleShape any = BundleShape.parse("1");
     sizes.forEach(each -> UsageException.orRefused(() -> settings().duct(each, any)));
     return sizes.stream().distinct().toList();
@@ -145,11 +154,11 @@ final class DuctOptions {
   /**
    * Rounds of a sweep.
    *
-   * @throws UsageException if there is none
+   * @throws UsageException if there is none, or there are far too many
    */
   int rounds() {
-    if (rounds < 1) {
-      throw new UsageException("rounds must number at least 1: rounds=" + rounds);
+    if (rounds < 1 || rounds > MOST_ROUNDS) {
+      throw new UsageException("rounds must number 1 to " + MOST_ROUNDS + ": rounds=" + rounds);
     }
     return rounds;
   }
@@ -169,6 +178,9 @@ final class DuctOptions {
    * @throws UsageException if the steps are out of their bounds
    */
   DuctRun run(Duct duct) {
+    if (steps < 1 || steps > DuctRun.MOST) { // before it is made even
+      throw new UsageException("steps must number 1 to " + DuctRun.MOST + ": steps=" + steps);
+    }
     long warmUpSteps = warmUp == null ? DuctRun.warmUpFor(duct) : warmUp;
     DuctRun.Ending ending = steady ? DuctRun.Ending.STEADY : DuctRun.Ending.MEASURED;
     return UsageException.orRefused(

@@ -3,10 +3,15 @@ package org.hdispatch.app;
 import java.util.ArrayList;
 import java.util.Collections;
 import java.util.Comparator;
+import java.util.HashSet;
+import java.util.LinkedHashMap;
 import java.util.List;
+import java.util.Map;
+import java.util.Set;
 import java.util.function.Consumer;
 import java.util.function.DoubleConsumer;
 import org.hdispatch.dispatch.Dispatcher;
+import org.hdispatch.lbm.BundleSize;
 import org.hdispatch.lbm.duct.BandwidthProbe;
 import org.hdispatch.lbm.duct.Duct;
 import org.hdispatch.lbm.duct.DuctFigures;
@@ -18,7 +23,8 @@ import org.hdispatch.lbm.duct.Spread;
  * figure 4), and one block of nodes a thread as a control: what bundles cost.
  *
  * <p>All numbers of threads of a bundle are run one after the other, so that a speed-up compares
- * neighbours in time. What does not fit into the heap is left out, and said.
+ * neighbours in time (with several rounds, runs beside like bandwidths). What does not fit into the
+ * heap is left out, and said.
  */
 final class DuctSweep {
   /** The sides of figure 4. */
@@ -32,6 +38,8 @@ final class DuctSweep {
   private final DuctOptions options;
   private final Consumer<String> warn;
   private final int[] threads;
+  private HeapException tooLarge; // the first, if any is
+  private OutOfMemoryError ranOut; // the last, if any run did
 
   DuctSweep(Host host, DuctOptions options, int mostThreads, Consumer<String> warn) {
     this.host = host;
@@ -87,34 +95,41 @@ final class DuctSweep {
   /**
    * Runs it.
    *
+   * @throws UsageException if the options are out of their bounds
    * @throws HeapException if nothing fits into the heap
    */
   SweepResult run(Listener listener) {
-    List<Case> cases = new ArrayList<>();
-    List<HeapException> tooLarge = new ArrayList<>();
-    for (int side : options.sizes()) {
-      try {
-        DuctHeap.require(host, duct(side, BundleShape.LONG_ROWS));
-        cases.addAll(cases(side));
-      } catch (HeapException e) {
-        tooLarge.add(e);
-      }
+    int rounds = options.rounds();
+    List<Integer> sizes = options.sizes();
+    for (int side : sizes) { // refused now, not after minutes
+      options.run(duct(side, BundleShape.LONG_ROWS));
     }
-    if (cases.isEmpty()) {
-      throw tooLarge.get(0);
+    List<String> leftOut = new ArrayList<>();
+    List<Case> fitting = new ArrayList<>();
+    for (int side : sizes) {
+      fitting.addAll(fitting(cases(side, leftOut), leftOut));
     }
-    tooLarge.forEach(e -> warn.accept("a size is left out: " + e.getMessage()));
-    BandwidthProbe probe = new BandwidthProbe(probeBytes(cases));
-    List<SweepResult.Point> points = run(cases, probe, listener);
+    if (fitting.isEmpty()) {
+      throw tooLarge;
+    }
+    leftOut.forEach(warn);
+    long probeBytes =
+        fitting.stream().mapToLong(each -> DuctHeap.require(host, each.duct())).min().orElseThrow();
+    BandwidthProbe probe = new BandwidthProbe(probeBytes);
+    List<SweepResult.Point> points = run(fitting, rounds, probe, listener);
     return new SweepResult(options.settings(), probe.bytes(), points);
   }
 
-  private List<Case> cases(int side) {
+  /** All of a size; shapes that come to the same bundle in it count once. */
+  private List<Case> cases(int side, List<String> leftOut) {
     List<Case> cases = new ArrayList<>();
+    Set<BundleSize> seen = new HashSet<>();
     for (BundleShape shape : shapes()) {
       Duct duct = UsageException.orRefused(() -> duct(side, shape));
-      for (int count : threads) {
-        cases.add(new Case(duct, shape.toString(), false, count));
+      if (seen.add(duct.bundle())) {
+        for (int count : threads) {
+          cases.add(new Case(duct, shape.toString(), false, count));
+        }
       }
     }
     for (int count : threads) {
@@ -122,10 +137,32 @@ final class DuctSweep {
       try {
         cases.add(new Case(duct(side, block), SweepResult.CONTROL, true, count));
       } catch (IllegalArgumentException e) {
-        warn.accept("one block a thread is left out: " + e.getMessage());
+        leftOut.add("one block a thread is left out: " + e.getMessage());
       }
     }
     return cases;
+  }
+
+  /** Those of one size that fit into the heap; what does not is said once for all threads. */
+  private List<Case> fitting(List<Case> ofSize, List<String> leftOut) {
+    List<Case> fitting = new ArrayList<>();
+    Map<String, HeapException> bundles = new LinkedHashMap<>();
+    String size = "size " + ofSize.get(0).duct().side();
+    for (Case each : ofSize) {
+      try {
+        DuctHeap.require(host, each.duct());
+        fitting.add(each);
+      } catch (HeapException e) {
+        bundles.putIfAbsent(each.label() + " at " + size, e);
+        tooLarge = tooLarge == null ? e : tooLarge;
+      }
+    }
+    if (fitting.isEmpty()) {
+      leftOut.add(size + " is left out: " + bundles.values().iterator().next().getMessage());
+    } else {
+      bundles.forEach((what, e) -> leftOut.add(what + " is left out: " + e.getMessage()));
+    }
+    return fitting;
   }
 
   private List<BundleShape> shapes() {
@@ -146,8 +183,8 @@ final class DuctSweep {
     return options.settings().duct(side, shape);
   }
 
-  private List<SweepResult.Point> run(List<Case> cases, BandwidthProbe probe, Listener listener) {
-    int rounds = options.rounds();
+  private List<SweepResult.Point> run(
+      List<Case> cases, int rounds, BandwidthProbe probe, Listener listener) {
     int count = cases.size();
     double all = rounds * cases.stream().mapToDouble(Case::work).sum();
     double done = 0;
@@ -176,6 +213,9 @@ final class DuctSweep {
         points.add(new SweepResult.Point(cases.get(n), nearest(figures.get(n), usual)));
       }
     }
+    if (points.isEmpty()) {
+      throw ranOut;
+    }
     return points;
   }
 
@@ -190,11 +230,11 @@ final class DuctSweep {
           }
         };
     try (Dispatcher dispatcher = Dispatcher.withWorkers(one.threads())) {
-      DuctHeap.require(host, one.duct());
       figures.add(options.run(one.duct()).measure(dispatcher, one.duct(), probe, steps));
-    } catch (HeapException | OutOfMemoryError e) { // the estimate knows no regions
+    } catch (OutOfMemoryError e) { // the estimate knows no regions
       warn.accept(
-          one.label() + " is left out at size " + one.duct().side() + ": " + e.getMessage());
+          one.label() + " at size " + one.duct().side() + " is left out: " + e.getMessage());
+      ranOut = e;
     }
   }
 
@@ -219,15 +259,5 @@ final class DuctSweep {
                 .mapToDouble(each -> each.gigabytesPerSecond().median())
                 .toArray())
         .median();
-  }
-
-  private long probeBytes(List<Case> cases) {
-    long least = Long.MAX_VALUE;
-    for (Case each : cases) {
-      if (DuctHeap.fits(host, each.duct())) {
-        least = Math.min(least, DuctHeap.require(host, each.duct()));
-      }
-    }
-    return least;
   }
 }

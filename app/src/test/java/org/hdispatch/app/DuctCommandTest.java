@@ -263,8 +263,28 @@ class DuctCommandTest {
     Cli run = duct("--sizes=100,5 --bundle=5 --threads=1 --warm-up=2");
     assertEquals(0, run.code(), run.err());
     assertEquals(1, run.err().lines().count(), run.err());
-    assertTrue(run.err().startsWith("hdispatch: warning: a size is left out: heap"), run.err());
+    String warning = "hdispatch: warning: size 100 is left out: heap must hold a duct of 100^3";
+    assertTrue(run.err().startsWith(warning), run.err());
     assertTrue(run.out().contains("at 5^3"), run.out());
+  }
+
+  @Test
+  void bundlesThatDoNotFitAreLeftOutOfASweepAndSaidOnce() {
+    Cli run = duct("--sizes=32 --bundle=16 --bundle=1 --threads=2 --warm-up=2 --csv");
+    assertEquals(0, run.code(), run.err());
+    assertEquals(1, run.err().lines().count(), run.err());
+    assertTrue(run.err().startsWith("hdispatch: warning: 1 at size 32 is left out: heap must"));
+    assertEquals(1 + 2 * 2, run.out().lines().count(), run.out());
+    duct("--sizes=60 --bundle=1 --warm-up=2 --csv").assertRefused(5, "duct of 60^3 nodes", "-Xmx");
+  }
+
+  @Test
+  void shapesThatComeToTheSameBundleAreRunOnce() {
+    Cli run = duct("--sizes=6 --bundle=10 --bundle=all --bundle=3 --threads=1 --warm-up=2 --csv");
+    assertEquals(0, run.code(), run.err());
+    List<String> bundles = run.out().lines().filter(row -> row.contains(",false,1.0,")).toList();
+    assertEquals(2, bundles.size(), run.out());
+    assertTrue(bundles.get(0).contains(",\"6,6,6\",") && bundles.get(0).contains(",10,false,"));
   }
 
   @ParameterizedTest
@@ -291,6 +311,10 @@ class DuctCommandTest {
         "--sizes=0",
         "--sizes=8 --steady",
         "--sizes=8 --rounds=0",
+        "--sizes=8 --rounds=99999999",
+        "--sizes=8 --steps=9999999999",
+        "--sizes=8 --warm-up=0",
+        "--sizes=,",
         "--sizes=8 --steps=-2",
         "--sizes=8,5000"
       })
@@ -308,6 +332,10 @@ class DuctCommandTest {
     duct("--size=8 --streaming=aa")
         .assertRefused(2, "--streaming must be one of in-place, pull, push: --streaming=aa");
     duct("--size=0").assertRefused(2, "side of a duct must be 1 to 4096 nodes: side=0");
+    duct("--size=8 --steps=-1").assertRefused(2, "steps must number 1 to 10000000: steps=-1");
+    duct("--sizes=,").assertRefused(2, "sizes must number at least 1: sizes=0");
+    // refused before the heap is looked at, and before anything is run
+    duct("--sizes=400 --steps=0").assertRefused(2, "steps=0");
   }
 
   @Test
