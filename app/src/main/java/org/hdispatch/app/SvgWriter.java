@@ -46,11 +46,25 @@ final class SvgWriter {
             dashes.isEmpty() ? "" : " stroke-dasharray=\"" + dashes + "\""));
   }
 
+  /** A filled rectangle. */
+  void rectangle(double x, double y, double width, double height, String colour) {
+    svg.append(
+        String.format(
+            Locale.ROOT,
+            "<rect x=\"%.1f\" y=\"%.1f\" width=\"%.1f\" height=\"%.1f\" fill=\"%s\"/>%n",
+            x,
+            y,
+            width,
+            height,
+            colour));
+  }
+
   /** What marks a point. */
   enum Mark {
     CIRCLE,
     SQUARE,
-    TRIANGLE
+    TRIANGLE,
+    DIAMOND
   }
 
   /** A mark, or its outline if it is not filled. */
@@ -60,6 +74,7 @@ final class SvgWriter {
           case CIRCLE -> "<circle cx=\"%.1f\" cy=\"%.1f\" r=\"4\"";
           case SQUARE -> "<path d=\"M%.1f,%.1fm-4,-4h8v8h-8z\"";
           case TRIANGLE -> "<path d=\"M%.1f,%.1fm-5,4h10l-5,-9z\"";
+          case DIAMOND -> "<path d=\"M%.1f,%.1fm0,-6l5,6l-5,6l-5,-6z\"";
         };
     svg.append(String.format(Locale.ROOT, shape, x, y))
         .append(" fill=\"" + (filled ? colour : "white") + "\" stroke=\"" + colour + "\"")

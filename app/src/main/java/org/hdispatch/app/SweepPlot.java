@@ -8,16 +8,15 @@ import org.hdispatch.app.SvgWriter.Mark;
 
 /**
  * A sweep as a picture after figure 4 of Leonardi et al. 2011: above, the speed of each bundle;
- * below, the efficiency. A colour for each number of threads, a mark for each size; cubes are
- * joined, other shapes and the control (an outline) stand for themselves.
+ * below, the efficiency, if there is more than one number of threads. A colour for each of those,
+ * from dark to bright, a mark for each size (four at most differ); cubes are joined, other shapes
+ * and the control (an outline) stand for themselves.
  */
 final class SweepPlot {
-  /** Colours that colour-blind people tell apart (Okabe, Ito 2008). */
-  private static final String[] COLOURS = {
-    "#0072b2", "#d55e00", "#009e73", "#cc79a7", "#e69f00", "#56b4e9", "#000000"
-  };
+  /** The brightest of viridis that is used: yellow is hard to see on white. */
+  private static final double BRIGHTEST = 0.7;
 
-  private static final String[] DASHES = {"", "7 4", "2 3"};
+  private static final String[] DASHES = {"", "7 4", "2 3", "8 3 2 3"};
   private static final String GREY = "#888888";
   private static final String PALE = "#dddddd";
 
@@ -33,15 +32,20 @@ final class SweepPlot {
 
   private final SweepResult result;
   private final List<String> labels;
+  private final boolean hasEfficiency;
+  private final int bottom; // of the lowest panel
   private final SvgWriter svg;
 
   private SweepPlot(SweepResult result) {
     this.result = result;
     labels = result.labels();
+    hasEfficiency = result.threads().size() > 1;
+    bottom = TOP + PANEL_HEIGHT + (hasEfficiency ? BETWEEN + PANEL_HEIGHT : 0);
+    int lines = result.threads().size() + result.sides().size() + 1;
     svg =
         new SvgWriter(
             LEFT + PANEL_WIDTH + RIGHT,
-            TOP + 2 * PANEL_HEIGHT + BETWEEN + BOTTOM,
+            Math.max(bottom, TOP + (lines + 1) * LEGEND_LINE) + BOTTOM,
             "Speed and efficiency of a square duct by bundle");
   }
 
@@ -52,16 +56,14 @@ final class SweepPlot {
 
   private String draw() {
     svg.text(LEFT, TOP - 20, "Square duct, " + result.settings(), Anchor.START, 0);
-    Panel speed = new Panel(TOP, "MLUPS", p -> OptionalDouble.of(p.mlups()));
-    speed.axes();
-    speed.series();
-    Panel efficiency =
-        new Panel(
-            TOP + PANEL_HEIGHT + BETWEEN,
-            "efficiency, %",
-            p -> p.threads() == 1 ? OptionalDouble.empty() : percent(result.efficiency(p)));
-    efficiency.axes();
-    efficiency.series();
+    new Panel(TOP, "speed, MLUPS", p -> OptionalDouble.of(p.mlups())).draw();
+    if (hasEfficiency) {
+      new Panel(
+              TOP + PANEL_HEIGHT + BETWEEN,
+              "efficiency, % of the threads",
+              p -> p.threads() == 1 ? OptionalDouble.empty() : percent(result.efficiency(p)))
+          .draw();
+    }
     bundleLabels();
     legend();
     return svg.toString();
@@ -76,7 +78,9 @@ final class SweepPlot {
   }
 
   private String colour(int threads) {
-    return COLOURS[result.threads().indexOf(threads) % COLOURS.length];
+    List<Integer> all = result.threads();
+    double place = (double) all.indexOf(threads) / Math.max(1, all.size() - 1);
+    return String.format("#%06x", ColourMap.viridis(BRIGHTEST * place));
   }
 
   private String dashes(int side) {
@@ -88,24 +92,30 @@ final class SweepPlot {
   }
 
   private void bundleLabels() {
-    int bottom = TOP + 2 * PANEL_HEIGHT + BETWEEN;
     for (String label : labels) {
       svg.text(x(label) + 4, bottom + 18, label, Anchor.END, -40);
     }
-    svg.text(LEFT + PANEL_WIDTH, bottom + BOTTOM - 8, "bundle, nodes", Anchor.END, 0);
+    svg.text(
+        LEFT + PANEL_WIDTH,
+        bottom + BOTTOM - 8,
+        "bundle, nodes (of a cube, or x,y,z)",
+        Anchor.END,
+        0);
   }
 
   private void legend() {
     int x = LEFT + PANEL_WIDTH + 20;
     int y = TOP + 10;
+    for (int threads : result.threads()) {
+      svg.rectangle(x, y - 4, 30, 8, colour(threads));
+      svg.text(x + 40, y + 4, SweepReport.threads(threads), Anchor.START, 0);
+      y += LEGEND_LINE;
+    }
     for (int side : result.sides()) {
-      for (int threads : result.threads()) {
-        svg.line(x, y, x + 30, y, colour(threads), dashes(side));
-        svg.mark(x + 15, y, mark(side), colour(threads), true);
-        String word = threads == 1 ? " thread" : " threads";
-        svg.text(x + 40, y + 4, side + "\u00b3, " + threads + word, Anchor.START, 0);
-        y += LEGEND_LINE;
-      }
+      svg.line(x, y, x + 30, y, GREY, dashes(side));
+      svg.mark(x + 15, y, mark(side), GREY, true);
+      svg.text(x + 40, y + 4, side + "\u00b3 nodes", Anchor.START, 0);
+      y += LEGEND_LINE;
     }
     svg.mark(x + 15, y, Mark.CIRCLE, GREY, false);
     svg.text(x + 40, y + 4, "one block a thread", Anchor.START, 0);
@@ -144,7 +154,12 @@ final class SweepPlot {
       return top + PANEL_HEIGHT * (1 - of / highest);
     }
 
-    void axes() {
+    void draw() {
+      axes();
+      series();
+    }
+
+    private void axes() {
       for (int n = 0; n * tick <= highest * (1 + 1e-9); n++) {
         double y = y(n * tick);
         svg.line(LEFT, y, LEFT + PANEL_WIDTH, y, n == 0 ? GREY : PALE, "");
@@ -157,7 +172,7 @@ final class SweepPlot {
       }
     }
 
-    void series() {
+    private void series() {
       for (int side : result.sides()) {
         for (int threads : result.threads()) {
           series(side, threads);

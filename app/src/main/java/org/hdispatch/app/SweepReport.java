@@ -97,10 +97,10 @@ final class SweepReport {
         "recommended",
         String.format(
             Locale.ROOT,
-            "%s: %.1f MLUPS with %d threads at %d^3, %s of the bandwidth",
+            "%s: %.1f MLUPS with %s at %d^3, %s of the bandwidth",
             best.label(),
             best.mlups(),
-            best.threads(),
+            threads(best.threads()),
             best.side(),
             percent(OptionalDouble.of(best.figures().bandwidthFraction()))));
     result
@@ -139,8 +139,8 @@ final class SweepReport {
       table.line(
           "DISTURBED",
           "the bandwidth with "
-              + best.threads()
-              + " threads was between "
+              + threads(best.threads())
+              + " was between "
               + fixed(bandwidth.least())
               + " and "
               + fixed(bandwidth.most())
@@ -186,3 +186,12 @@ final class SweepReport {
         : "-";
   }
 }
+  /** So many threads, in words. */
+  static String threads(int count) {
+    return count == 1 ? "1 thread" : count + " threads";
+  }
+
+  private static String fixed(OptionalDouble value) {
+    return value.isPresent() ? fixed(value.getAsDouble()) : "-";
+  }
+
