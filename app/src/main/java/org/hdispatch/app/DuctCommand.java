@@ -130,13 +130,7 @@ final class DuctCommand implements Callable<Integer> {
     if (!options.store()) {
       return options.bundles().isEmpty() ? "no (--no-store)" : "no (--bundle was given)";
     }
-    MachineFile machine = machineFile();
-    return result
-        .recommended()
-        .map(best -> BundleShape.parse(best.label()))
-        .filter(best -> machine.keepBundle(options.settings(), best))
-        .map(best -> "in " + machine.path().orElseThrow() + ", the default of --bundle")
-        .orElse("no");
+    return machineFile().keepRecommended(result);
   }
 
   private void print(String text) throws ImageFileException {

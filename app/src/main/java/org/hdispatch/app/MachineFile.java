@@ -105,6 +105,17 @@ final class MachineFile {
     }
   }
 
+  /** Keeps what a sweep recommends, if it can be kept, and says what became of it. */
+  String keepRecommended(SweepResult result) {
+    Optional<SweepResult.Point> best = result.storable();
+    if (best.isEmpty()) {
+      return "no (a duct below " + SweepResult.LEAST_STORABLE_SIDE + "^3 nodes says little)";
+    }
+    return keepBundle(result.settings(), BundleShape.parse(best.get().label()))
+        ? "in " + file.orElseThrow() + ", the default of duct --bundle"
+        : "no";
+  }
+
   /** What the file says; nothing if there is no file yet; empty if it cannot be used. */
   private Optional<Properties> read() {
     if (file.isEmpty()) {

@@ -19,6 +19,9 @@ record SweepResult(DuctSettings settings, long probeBytes, List<Point> points) {
   /** Label of the control: one block of nodes a thread. */
   static final String CONTROL = "one block";
 
+  /** Twice the largest cube of a sweep; 120 MB and more, in double precision. */
+  static final int LEAST_STORABLE_SIDE = 100;
+
   /** Sums of equal flows in another order differ by rounding, and by no more. */
   private static final double SAME_FLOW = 1e-9;
 
@@ -147,3 +150,11 @@ record SweepResult(DuctSettings settings, long probeBytes, List<Point> points) {
     return sides().stream().flatMap(side -> best(side).stream()).findFirst();
   }
 }
+
+  /**
+   * What is recommended, if it says anything about larger ducts: in a small one large bundles are
+   * cut short, and a cache may hold it all.
+   */
+  Optional<Point> storable() {
+    return recommended().filter(best -> best.side() >= LEAST_STORABLE_SIDE);
+  }

@@ -46,6 +46,29 @@ class MachineFileTest {
     assertEquals(List.of(), warnings);
   }
 
+  @Test
+  void keepsWhatASweepOfLargeDuctsRecommends() {
+    MachineFile file = file("machine");
+    SweepResult small =
+        new SweepResult(DOUBLE, 1, List.of(SweepResultTest.point(99, "16", 2, 90, 50)));
+    assertTrue(file.keepRecommended(small).startsWith("no (a duct below 100^3"));
+    assertFalse(Files.exists(folder.resolve("machine")));
+    SweepResult large =
+        new SweepResult(
+            DOUBLE,
+            1,
+            List.of(
+                SweepResultTest.point(100, "16", 2, 90, 50),
+                SweepResultTest.point(100, "all,8,8", 2, 91, 50),
+                SweepResultTest.point(100, SweepResult.CONTROL, 2, 99, 50)));
+    String stored = "in " + folder.resolve("machine") + ", the default of duct --bundle";
+    assertEquals(stored, file.keepRecommended(large));
+    assertEquals(Optional.of(BundleShape.parse("all,8,8")), file.bundle(DOUBLE, 200));
+    MachineFile none = new MachineFile(Optional.empty(), warnings::add);
+    assertEquals("no", none.keepRecommended(large));
+    assertEquals(List.of(), warnings);
+  }
+
   @ParameterizedTest
   @ValueSource(strings = {"0", "20x20", "", "all"})
   void wrongShapeIsSaidAndIgnored(String value) throws IOException {

@@ -43,7 +43,7 @@ class SweepResultTest {
             k));
   }
 
-  private static SweepResult.Point point(
+  static SweepResult.Point point(
       int side, String label, int threads, double mlups, double bandwidth) {
     return point(side, label, threads, mlups, bandwidth, 0.01);
   }
