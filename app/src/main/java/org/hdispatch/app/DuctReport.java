@@ -8,7 +8,9 @@ import org.hdispatch.lbm.duct.DuctFigures;
 
 /** The figures of one duct, for programs (the keys stay as they are) and for people. */
 final class DuctReport {
-  private static final double MIB = 1 << 20;
+  /** Bytes of a probe that the caches of a large processor may hold. */
+  private static final long CACHED = 128L << 20;
+
   private static final int DIGITS = 5;
   private static final int FEW = 3;
 
@@ -71,6 +73,12 @@ final class DuctReport {
     return table.toString();
   }
 
+  /** Over how much a bandwidth was measured. */
+  static String over(long probeBytes) {
+    String over = "over " + (probeBytes >> 20) + " MiB";
+    return probeBytes < CACHED ? over + ": a CACHE may hold that, give more heap" : over;
+  }
+
   private static void settings(Table table, DuctFigures figures, String origin) {
     Duct duct = figures.duct();
     BundleSize bundle = duct.bundle();
@@ -112,11 +120,11 @@ final class DuctReport {
             "bandwidth",
             String.format(
                 Locale.ROOT,
-                "%.1f GB/s read and written in place beside it (%.1f to %.1f, over %.0f MiB)",
+                "%.1f GB/s read plus written in place beside it (%.1f to %.1f, %s)",
                 figures.gigabytesPerSecond().median(),
                 figures.gigabytesPerSecond().least(),
                 figures.gigabytesPerSecond().most(),
-                probe.bytes() / MIB))
+                over(probe.bytes())))
         .line(
             "of the bandwidth",
             Numbers.percent(figures.bandwidthFraction())

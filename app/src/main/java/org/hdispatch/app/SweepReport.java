@@ -4,6 +4,7 @@ import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
 import java.util.OptionalDouble;
+import org.hdispatch.lbm.duct.DuctFigures;
 import org.hdispatch.lbm.duct.Spread;
 
 /** A sweep for programs (the keys stay as they are) and for people. */
@@ -29,7 +30,8 @@ final class SweepReport {
             .put("speed_up", result.speedUp(point))
             .put("efficiency", result.efficiency(point))
             .put("bandwidth_speed_up", result.bandwidthSpeedUp(point.threads()))
-            .put("efficiency_of_ideal", result.efficiencyOfIdeal(point))
+            .put("ideal_mlups", result.idealMlups(point))
+            .put("ideal_fraction", result.idealFraction(point))
             .put("recommended", result.recommended().filter(point::equals).isPresent());
     return DuctReport.host(row);
   }
@@ -53,6 +55,7 @@ final class SweepReport {
                 "bytes/step",
                 "speed-up",
                 "efficiency",
+                "ideal",
                 "of ideal");
     for (String label : result.labels()) {
       for (SweepResult.Point point : result.points()) {
@@ -62,15 +65,31 @@ final class SweepReport {
       }
     }
     Table table = new Table();
-    table
-        .line("stepped", result.settings() + ", Java " + Version.ofJava())
-        .line(
-            "bandwidth",
-            "read and written in place beside each run, over "
-                + (result.probeBytes() >> 20)
-                + " MiB");
+    table.line("stepped", result.settings() + ", Java " + Version.ofJava());
+    result.points().stream().findFirst().ifPresent(any -> explain(table, result, any.figures()));
     result.recommended().ifPresent(best -> recommend(table, result, best, stored));
     return columns + System.lineSeparator() + table;
+  }
+
+  /** What the columns are; what they take from a run is the same for all. */
+  private static void explain(Table table, SweepResult result, DuctFigures any) {
+    table
+        .line(
+            "MLUPS, best",
+            "10^6 node updates/s by the median of "
+                + any.run().steps()
+                + " steps, two by two; by the fastest two")
+        .line(
+            "GB/s",
+            "read plus written in place beside each run, "
+                + DuctReport.over(result.probeBytes())
+                + "; a node and step need "
+                + any.duct().bytesMovedPerNode()
+                + " bytes")
+        .line("efficiency", "speed-up over one thread, per thread")
+        .line(
+            "ideal",
+            "MLUPS: threads times one thread's, or as many as GB/s let through, whichever is less");
   }
 
   private static String[] cells(SweepResult result, SweepResult.Point point) {
@@ -87,7 +106,8 @@ final class SweepReport {
       bytes == null ? "unknown" : bytes.toString(),
       times(result.speedUp(point)),
       percent(result.efficiency(point)),
-      percent(result.efficiencyOfIdeal(point))
+      fixed(result.idealMlups(point)),
+      percent(result.idealFraction(point))
     };
   }
 
@@ -120,8 +140,8 @@ final class SweepReport {
               + ", efficiency "
               + percent(result.efficiency(best))
               + "; "
-              + percent(result.efficiencyOfIdeal(best))
-              + " of the speed-up of the bandwidth itself, "
+              + percent(result.idealFraction(best))
+              + " of the ideal; the bandwidth's own speed-up: "
               + times(result.bandwidthSpeedUp(best.threads())));
     }
     for (int side : result.sides()) {
@@ -176,6 +196,15 @@ final class SweepReport {
     return String.format(Locale.ROOT, "%.1f", value);
   }
 
+  /** So many threads, in words. */
+  static String threads(int count) {
+    return count == 1 ? "1 thread" : count + " threads";
+  }
+
+  private static String fixed(OptionalDouble value) {
+    return value.isPresent() ? fixed(value.getAsDouble()) : "-";
+  }
+
   private static String times(OptionalDouble value) {
     return value.isPresent() ? String.format(Locale.ROOT, "%.2f", value.getAsDouble()) : "-";
   }
@@ -186,12 +215,3 @@ final class SweepReport {
         : "-";
   }
 }
-  /** So many threads, in words. */
-  static String threads(int count) {
-    return count == 1 ? "1 thread" : count + " threads";
-  }
-
-  private static String fixed(OptionalDouble value) {
-    return value.isPresent() ? fixed(value.getAsDouble()) : "-";
-  }
-

@@ -91,9 +91,7 @@ record SweepResult(DuctSettings settings, long probeBytes, List<Point> points) {
     return of(single(point).map(one -> point.mlups() / one.mlups() / point.threads()));
   }
 
-  /**
-   * Speed-up of the bandwidth, by the medians over all runs: what a memory-bound loop can reach.
-   */
+  /** Speed-up of the bandwidth itself, by the medians over all runs. */
   OptionalDouble bandwidthSpeedUp(int threads) {
     return of(
         bandwidth(1).flatMap(one -> bandwidth(threads).map(many -> many.median() / one.median())));
@@ -109,12 +107,24 @@ record SweepResult(DuctSettings settings, long probeBytes, List<Point> points) {
     return medians.length == 0 ? Optional.empty() : Optional.of(Spread.of(medians));
   }
 
-  /** Speed-up over that of the bandwidth, which counts for no more than the number of threads. */
-  OptionalDouble efficiencyOfIdeal(Point point) {
-    OptionalDouble speedUp = speedUp(point);
-    OptionalDouble ideal = bandwidthSpeedUp(point.threads());
-    return speedUp.isPresent() && ideal.isPresent()
-        ? OptionalDouble.of(speedUp.getAsDouble() / Math.min(point.threads(), ideal.getAsDouble()))
+  /**
+   * The bandwidth-limited ideal, MLUPS: the threads times the speed of the same bundle on one
+   * thread, or what the bandwidth beside the run lets through, whichever is less.
+   */
+  OptionalDouble idealMlups(Point point) {
+    return of(
+        single(point)
+            .map(one -> Math.min(point.threads() * one.mlups(), point.figures().bandwidthMlups())));
+  }
+
+  /**
+   * Speed over {@link #idealMlups}: the greater of the efficiency and the share of the bandwidth.
+   * More than 1 where the populations stay in a cache.
+   */
+  OptionalDouble idealFraction(Point point) {
+    OptionalDouble ideal = idealMlups(point);
+    return ideal.isPresent()
+        ? OptionalDouble.of(point.mlups() / ideal.getAsDouble())
         : OptionalDouble.empty();
   }
 
@@ -149,7 +159,6 @@ record SweepResult(DuctSettings settings, long probeBytes, List<Point> points) {
   Optional<Point> recommended() {
     return sides().stream().flatMap(side -> best(side).stream()).findFirst();
   }
-}
 
   /**
    * What is recommended, if it says anything about larger ducts: in a small one large bundles are
@@ -158,3 +167,4 @@ record SweepResult(DuctSettings settings, long probeBytes, List<Point> points) {
   Optional<Point> storable() {
     return recommended().filter(best -> best.side() >= LEAST_STORABLE_SIDE);
   }
+}

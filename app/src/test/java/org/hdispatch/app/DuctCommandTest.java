@@ -176,7 +176,7 @@ class DuctCommandTest {
             "8 x 4 x 4 nodes (given), 4 of them",
             "MLUPS median",
             "best (4 steps, two by two", // raised to an even number
-            "GB/s read and written in place",
+            "GB/s read plus written in place",
             "% (240 bytes to move",
             "bytes held a node",
             "0.0351442537",

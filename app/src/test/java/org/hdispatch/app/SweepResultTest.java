@@ -7,6 +7,7 @@ import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.util.List;
+import java.util.Optional;
 import java.util.OptionalDouble;
 import org.hdispatch.dispatch.LoopStats;
 import org.hdispatch.lbm.KernelForm;
@@ -82,12 +83,64 @@ class SweepResultTest {
   }
 
   @Test
-  void idealIsTheSpeedUpOfTheBandwidthOverAllRuns() {
+  void bandwidthSpeedUpIsOverAllRuns() {
     SweepResult sweep = sweep();
     // medians of 28, 30, 32 and of 50, 54, 54, 54, 58
     assertEquals(54.0 / 30, sweep.bandwidthSpeedUp(2).getAsDouble(), 1e-12);
-    SweepResult.Point best = sweep.recommended().orElseThrow();
-    assertEquals(100.0 / 60 / (54.0 / 30), sweep.efficiencyOfIdeal(best).getAsDouble(), 1e-12);
+  }
+
+  @Test
+  void idealIsWhatThreadsOrBandwidthAllowWhicheverIsLess() {
+    SweepResult.Point free = point(20, "10", 2, 90, 50); // 208 MLUPS by the bandwidth
+    SweepResult.Point bound = point(20, "20", 2, 100, 26.4); // 110 MLUPS by the bandwidth
+    SweepResult sweep =
+        new SweepResult(
+            SETTINGS,
+            1,
+            List.of(point(20, "10", 1, 50, 28), free, point(20, "20", 1, 60, 28), bound));
+    assertEquals(100, sweep.idealMlups(free).getAsDouble(), 1e-12);
+    assertEquals(0.9, sweep.idealFraction(free).getAsDouble(), 1e-12);
+    assertEquals(sweep.efficiency(free).getAsDouble(), 0.9, 1e-12);
+    assertEquals(110, sweep.idealMlups(bound).getAsDouble(), 1e-12);
+    assertEquals(100.0 / 110, sweep.idealFraction(bound).getAsDouble(), 1e-12);
+    assertEquals(100.0 / 110, bound.figures().bandwidthFraction(), 1e-12);
+    SweepResult.Point alone = point(30, "10", 2, 110, 54);
+    SweepResult without = new SweepResult(SETTINGS, 1, List.of(alone));
+    assertEquals(OptionalDouble.empty(), without.idealMlups(alone));
+    assertEquals(OptionalDouble.empty(), without.idealFraction(alone));
+  }
+
+  @Test
+  void smallDuctsRecommendButStoreNothing() {
+    assertTrue(sweep().recommended().isPresent());
+    assertEquals(Optional.empty(), sweep().storable());
+    SweepResult.Point large = point(100, "10", 2, 110, 54);
+    SweepResult sweep = new SweepResult(SETTINGS, 1, List.of(large));
+    assertEquals(Optional.of(large), sweep.storable());
+  }
+
+  @Test
+  void smallProbeIsSaidToMeasureACache() {
+    assertTrue(SweepReport.text(sweep(), "no").contains("over 1 MiB: a CACHE may hold that"));
+    SweepResult large = new SweepResult(SETTINGS, 512 << 20, sweep().points());
+    assertFalse(SweepReport.text(large, "no").contains("CACHE"));
+  }
+
+  @Test
+  void plotHasALegendForThreadsSizesAndTheControl() {
+    String both = SweepPlot.of(sweep());
+    for (String words :
+        List.of(
+            "1 thread<",
+            "2 threads<",
+            "20\u00b3 nodes<",
+            "30\u00b3 nodes<",
+            "one block a thread<")) {
+      assertTrue(both.contains(">" + words), () -> words + " <- " + both);
+    }
+    assertTrue(both.contains(">speed, MLUPS<") && both.contains(">efficiency, % of the threads<"));
+    SweepResult alone = new SweepResult(SETTINGS, 1, List.of(point(20, "10", 1, 50, 28)));
+    assertFalse(SweepPlot.of(alone).contains("efficiency, %"), "one thread has none");
   }
 
   @Test
@@ -124,7 +177,9 @@ class SweepResultTest {
         List.of(
             "recommended          all,8,8: 100.0 MLUPS with 2 threads at 20^3",
             "cost of bundles      16.7 % against one block a thread (120.0 MLUPS)",
-            "speed-up             1.67, efficiency 83.3 %; 92.6 % of the speed-up of the bandwidth",
+            "efficiency  ideal  of ideal",
+            "speed-up             1.67, efficiency 83.3 %; 83.3 % of the ideal; the bandwidth's own"
+                + " speed-up: 1.80",
             "at 30^3              99.0 MLUPS, 10.0 % behind the best there (10)",
             "stored               no")) {
       assertTrue(text.contains(words), () -> words + " <- " + text);

@@ -44,10 +44,18 @@ public record DuctFigures(
     return (double) heldBytes / duct.nodes();
   }
 
-  /** The bytes that a step must move, over those that the probe moves in that time; medians. */
+  /**
+   * Million node updates a second that the bandwidth beside the run lets through; by its median.
+   */
+  public double bandwidthMlups() {
+    return gigabytesPerSecond.median() * 1e3 / duct.bytesMovedPerNode();
+  }
+
+  /**
+   * Share of the bandwidth that the steps need: the speed over {@link #bandwidthMlups}; medians.
+   */
   public double bandwidthFraction() {
-    double moved = mlupsMedian() * 1e6 * duct.bytesMovedPerNode();
-    return moved / (gigabytesPerSecond.median() * 1e9);
+    return mlupsMedian() / bandwidthMlups();
   }
 
   /** Share of the steady flow that is missing at the last step, at most. */

@@ -55,6 +55,8 @@ class DuctRunTest {
     double mlups = 16 * 16 * 16 / figures.secondsPerStep().median() * 1e-6;
     assertEquals(mlups, figures.mlupsMedian(), 1e-12 * mlups);
     assertTrue(figures.mlupsBest() >= figures.mlupsMedian());
+    double limit = figures.gigabytesPerSecond().median() * 1e9 / 240;
+    assertEquals(limit * 1e-6, figures.bandwidthMlups(), 1e-12 * limit);
     double moved = mlups * 1e-3 * 240; // GB/s
     assertEquals(moved / figures.gigabytesPerSecond().median(), figures.bandwidthFraction(), 1e-12);
     assertEquals(16, figures.bundles());
