@@ -9,4 +9,5 @@ module org.hdispatch.core {
   exports org.hdispatch.cell;
   exports org.hdispatch.dispatch;
   exports org.hdispatch.gc;
+  exports org.hdispatch.poisson;
 }

@@ -1,0 +1,83 @@
+package org.hdispatch.poisson;
+
+import org.hdispatch.cell.CellMap;
+import org.hdispatch.cell.Ends;
+
+/** Adds the divergence of mobility times a constant force to the sources. */
+final class BodyForce {
+  private final PoissonProblem problem;
+  private final double[] force;
+  private final int[] here = new int[3];
+  private final int[] there = new int[3];
+
+  private BodyForce(PoissonProblem problem, double[] force) {
+    this.problem = problem;
+    this.force = force;
+  }
+
+  /**
+   * Adds minus the flux that the force drives out of each node.
+   *
+   * @param factor of all mobilities
+   */
+  static void add(PoissonProblem problem, CellMap<GraphCell> cells, double[] force, double factor) {
+    BodyForce body = new BodyForce(problem, force);
+    for (int n = 0; n < cells.size(); n++) {
+      GraphCell cell = cells.cellAt(n);
+      for (int m = 0; m < cell.nodes; m++) {
+        FineCells.coordinates(cell, m, body.here);
+        double flux =
+            body.flux(cell, m, cell.lower) + body.flux(cell, m, cell.upper) + body.ends(cell, m);
+        cell.source[m] -= factor * flux;
+      }
+    }
+  }
+
+  private double flux(GraphCell cell, int node, Links links) {
+    double flux = 0;
+    for (int n = links.start()[node]; n < links.start()[node + 1]; n++) {
+      int end = links.to()[n];
+      if (end < cell.nodes) {
+        FineCells.coordinates(cell, end, there);
+      } else {
+        int halo = end - cell.nodes;
+        FineCells.coordinates(cell.haloCell(halo), cell.haloNodes[halo], there);
+      }
+      for (int axis = 0; axis < 3; axis++) {
+        flux += links.mobility()[n] * force[axis] * step(axis);
+      }
+    }
+    return flux;
+  }
+
+  /** How far the other end of a link lies along an axis, through a periodic end if it is nearer. */
+  private int step(int axis) {
+    int step = there[axis] - here[axis];
+    if (problem.ends(axis) == Ends.PERIODIC && step != 0) {
+      int extent = problem.extent(axis);
+      if (extent == 2) {
+        return 0; // linked to both sides, the force drives as much in as out
+      }
+      return step == extent - 1 ? -1 : step == 1 - extent ? 1 : step;
+    }
+    return step;
+  }
+
+  /** Out of fixed sides, half a spacing away: half the force times twice the mobility. */
+  private double ends(GraphCell cell, int node) {
+    if (cell.ground == null || cell.ground[node] == 0) {
+      return 0;
+    }
+    int sides = 0;
+    double outwards = 0;
+    for (Side side : Side.values()) {
+      int axis = side.axis();
+      int last = side.outwards() < 0 ? 0 : problem.extent(axis) - 1;
+      if (problem.isFixed(side) && here[axis] == last) {
+        sides++;
+        outwards += side.outwards() * force[axis];
+      }
+    }
+    return cell.ground[node] / (2 * sides) * outwards;
+  }
+}

@@ -1,0 +1,123 @@
+package org.hdispatch.poisson;
+
+import org.hdispatch.cell.CellMap;
+import org.hdispatch.dispatch.Dispatcher;
+import org.hdispatch.dispatch.Scheme;
+import org.hdispatch.dispatch.TimeLoop;
+
+/**
+ * The cells of one level and the loop that passes over them. A level of one cell needs no worker:
+ * the caller does it.
+ */
+final class Level {
+  /** What a pass does; see {@link Kernels}. */
+  enum Task {
+    BEGIN,
+    COLLECT,
+    FORWARD,
+    RESTRICT,
+    BACKWARD,
+    DIRECT,
+    FINISH
+  }
+
+  final CellMap<GraphCell> cells;
+  final Clusters clusters; // null at the coarser levels
+  double sourceFactor = 1;
+
+  private final TimeLoop loop; // null for one cell
+  private final double[] scratch; // for one cell
+  private Task task = Task.BEGIN;
+  private double alpha;
+  private double beta;
+  private int current; // of the two directions
+
+  Level(CellMap<GraphCell> cells, Clusters clusters, Dispatcher dispatcher) {
+    this.cells = cells;
+    this.clusters = clusters;
+    int extent = 0;
+    for (int n = 0; n < cells.size(); n++) {
+      extent = Math.max(extent, cells.cellAt(n).extent());
+    }
+    int most = extent;
+    if (cells.size() > 1) {
+      scratch = null;
+      loop =
+          dispatcher.loop(
+              Scheme.of(cells)
+                  .scratch(() -> new double[most])
+                  .pass("conjugate gradients", (cell, u, tick) -> process(cell, u))
+                  .build());
+    } else {
+      scratch = new double[most];
+      loop = null;
+    }
+  }
+
+  /** Runs one pass. */
+  void run(Task what) {
+    task = what;
+    if (loop != null) {
+      loop.run(1);
+    } else if (cells.size() == 1) {
+      process(cells.cellAt(0), scratch);
+    }
+  }
+
+  /** Sweeps forward after a move by alpha along the direction, see {@link Kernels#forward}. */
+  void forward(double length) {
+    alpha = length;
+    run(Task.FORWARD);
+  }
+
+  /** Moves by alpha along the direction. */
+  void finish(double length) {
+    alpha = length;
+    run(Task.FINISH);
+  }
+
+  /** Turns to the next direction, see {@link Kernels#direct}. */
+  void direct(double shareOfPrevious) {
+    beta = shareOfPrevious;
+    run(Task.DIRECT);
+    current = 1 - current;
+  }
+
+  private void process(GraphCell cell, double[] u) {
+    switch (task) {
+      case BEGIN -> Kernels.begin(cell, u, this);
+      case COLLECT -> Kernels.collect(cell);
+      case FORWARD -> Kernels.forward(cell, alpha, current);
+      case RESTRICT -> Kernels.restrict(cell, u);
+      case BACKWARD -> Kernels.backward(cell, u);
+      case DIRECT -> Kernels.direct(cell, u, beta, current);
+      case FINISH -> Kernels.finish(cell, alpha, current);
+    }
+  }
+
+  /** One of the sums of the last pass, added up cell by cell in the order of the keys. */
+  double sum(int which) {
+    double sum = 0;
+    for (int n = 0; n < cells.size(); n++) {
+      sum += cells.cellAt(n).sums[which];
+    }
+    return sum;
+  }
+
+  long nodes() {
+    long nodes = 0;
+    for (int n = 0; n < cells.size(); n++) {
+      nodes += cells.cellAt(n).nodes;
+    }
+    return nodes;
+  }
+
+  /** Bytes of all cells. */
+  long bytes() {
+    long bytes = 0;
+    for (int n = 0; n < cells.size(); n++) {
+      bytes += cells.cellAt(n).bytes();
+    }
+    return bytes;
+  }
+}

@@ -1,0 +1,165 @@
+package org.hdispatch.poisson;
+
+import java.util.EnumMap;
+import java.util.Map;
+import java.util.Objects;
+import org.hdispatch.cell.Ends;
+
+/**
+ * Flow between the active nodes of a box of nx x ny x nz nodes, one spacing apart: at every active
+ * node m
+ *
+ * <pre>  sum over its neighbours n of  k_mn (p_m - p_n)  =  b_m </pre>
+ *
+ * <p>with the six neighbours across the faces of the node's unit cell. No flow crosses a face to a
+ * node that is not active, nor an open end of the box. At a {@linkplain Builder#fixed fixed side}
+ * the value of p is given on the outer face of the last nodes, half a spacing away from them: the
+ * link has mobility 2 K_m (twice the node's, for half the way).
+ *
+ * <p>Units: any; those of b are those of mobility times p.
+ */
+public final class PoissonProblem {
+  private final int nx;
+  private final int ny;
+  private final int nz;
+  private final Ends[] ends;
+  private final Mobility mobility;
+  private final LinkMean mean;
+  private final Map<Side, Double> fixed;
+
+  private PoissonProblem(Builder builder) {
+    nx = builder.nx;
+    ny = builder.ny;
+    nz = builder.nz;
+    ends = builder.ends.clone();
+    mobility = builder.mobility;
+    mean = builder.mean;
+    fixed = new EnumMap<>(builder.fixed);
+  }
+
+  /**
+   * Starts with a box whose nodes all have mobility 1 and whose ends are open (closed to flow).
+   *
+   * @throws IllegalArgumentException if an extent is not in 1 to 2^20
+   */
+  public static Builder box(int nx, int ny, int nz) {
+    return new Builder(nx, ny, nz);
+  }
+
+  int extent(int axis) {
+    return axis == 0 ? nx : axis == 1 ? ny : nz;
+  }
+
+  Ends ends(int axis) {
+    return ends[axis];
+  }
+
+  /**
+   * Mobility of a node, 0 if it is not active.
+   *
+   * @throws IllegalArgumentException if it is negative, infinite or not a number
+   */
+  double mobility(int x, int y, int z) {
+    double value = mobility.at(x, y, z);
+    if (!(value >= 0 && value <= Double.MAX_VALUE)) {
+      throw Refusal.value("mobility must be finite and not negative", "mobility", value, x, y, z);
+    }
+    return value;
+  }
+
+  /**
+   * Mobility of the link of two nodes.
+   *
+   * @throws IllegalArgumentException if it is negative, infinite or not a number
+   */
+  double link(double one, double other) {
+    double value = mean.of(one, other);
+    if (!(value >= 0 && value <= Double.MAX_VALUE)) {
+      throw Refusal.link(value, one, other);
+    }
+    return value;
+  }
+
+  boolean isFixed(Side side) {
+    return fixed.containsKey(side);
+  }
+
+  /** Value on a fixed side. */
+  double value(Side side) {
+    return fixed.get(side);
+  }
+
+  /** Settings of a problem. */
+  public static final class Builder {
+    private final int nx;
+    private final int ny;
+    private final int nz;
+    private final Ends[] ends = {Ends.OPEN, Ends.OPEN, Ends.OPEN};
+    private final Map<Side, Double> fixed = new EnumMap<>(Side.class);
+    private Mobility mobility = (x, y, z) -> 1;
+    private LinkMean mean = LinkMean.HARMONIC;
+
+    private Builder(int nx, int ny, int nz) {
+      this.nx = extent(nx, "nx");
+      this.ny = extent(ny, "ny");
+      this.nz = extent(nz, "nz");
+    }
+
+    private static int extent(int nodes, String name) {
+      if (nodes < 1 || nodes > 1 << 20) {
+        throw new IllegalArgumentException(
+            "nodes along an axis must number 1 to 1048576: " + name + "=" + nodes);
+      }
+      return nodes;
+    }
+
+    /** Sets what lies beyond the ends of each axis; {@code OPEN} is closed to flow. */
+    public Builder ends(Ends x, Ends y, Ends z) {
+      ends[0] = Objects.requireNonNull(x, "x");
+      ends[1] = Objects.requireNonNull(y, "y");
+      ends[2] = Objects.requireNonNull(z, "z");
+      return this;
+    }
+
+    /** Sets the mobility of the nodes, and with it which are active. Asked when cells are made. */
+    public Builder mobility(Mobility ofNodes) {
+      mobility = Objects.requireNonNull(ofNodes, "mobility");
+      return this;
+    }
+
+    /** Sets how the mobility of a link follows from its nodes'. Default: the harmonic mean. */
+    public Builder linkMean(LinkMean ofLinks) {
+      mean = Objects.requireNonNull(ofLinks, "mean");
+      return this;
+    }
+
+    /**
+     * Fixes p on a side of the box, half a spacing outside the last nodes.
+     *
+     * @throws IllegalArgumentException if the value is infinite or not a number
+     */
+    public Builder fixed(Side side, double value) {
+      if (!Double.isFinite(value)) {
+        throw new IllegalArgumentException(
+            "value on a side must be finite: side=" + side + ", value=" + value);
+      }
+      fixed.put(side, value);
+      return this;
+    }
+
+    /**
+     * The problem.
+     *
+     * @throws IllegalArgumentException if a fixed side lies across a periodic axis
+     */
+    public PoissonProblem build() {
+      for (Side side : fixed.keySet()) {
+        if (ends[side.axis()] == Ends.PERIODIC) {
+          throw new IllegalArgumentException(
+              "axis of a fixed side must have open ends: side=" + side);
+        }
+      }
+      return new PoissonProblem(this);
+    }
+  }
+}
