@@ -27,6 +27,7 @@ class ArchitectureTest {
   private static final String CELL = "org.hdispatch.cell..";
   private static final String DISPATCH = "org.hdispatch.dispatch..";
   private static final String GC = "org.hdispatch.gc..";
+  private static final String POISSON = "org.hdispatch.poisson..";
   private static final String LBM = "org.hdispatch.lbm..";
   private static final String SPH = "org.hdispatch.sph..";
   private static final String POROUS = "org.hdispatch.porous..";
@@ -40,7 +41,7 @@ class ArchitectureTest {
 
   @Test
   void everyModuleIsLookedAt() {
-    for (String part : new String[] {CELL, DISPATCH, GC, LBM, SPH, POROUS, IO, APP}) {
+    for (String part : new String[] {CELL, DISPATCH, GC, POISSON, LBM, SPH, POROUS, IO, APP}) {
       assertTrue(CODE.stream().anyMatch(resideInAPackage(part)), part);
     }
     assertTrue(CODE.stream().noneMatch(c -> c.getSimpleName().endsWith("Test")));
@@ -75,6 +76,13 @@ class ArchitectureTest {
         .should()
         .onlyDependOnClassesThat()
         .resideInAnyPackage("java..", "jdk.jfr..", "com.sun.management..", GC)
+        .check(CODE);
+    classes()
+        .that()
+        .resideInAPackage(POISSON)
+        .should()
+        .onlyDependOnClassesThat()
+        .resideInAnyPackage("java..", CELL, DISPATCH, POISSON)
         .check(CODE);
   }
 
