@@ -19,10 +19,7 @@ import net.jqwik.api.ForAll;
 import net.jqwik.api.Property;
 import net.jqwik.api.constraints.IntRange;
 import net.jqwik.api.constraints.Size;
-import org.hdispatch.gc.AllocationMeter;
 import org.junit.jupiter.api.Test;
-import org.junit.jupiter.params.ParameterizedTest;
-import org.junit.jupiter.params.provider.ValueSource;
 
 class CellChangesPropertyTest {
   private static final class Cell {
@@ -183,43 +180,5 @@ class CellChangesPropertyTest {
     assertThrows(
         IllegalArgumentException.class,
         () -> CellMap.of(new long[] {CellKey.NONE}, KeyOrder.MORTON, Cell::new));
-  }
-
-  /** A front of constant or breathing size; the marks of removed keys would fill the map often. */
-  @ParameterizedTest
-  @ValueSource(ints = {0, 40, 90})
-  @SuppressWarnings("deprecation") // threadId() needs Java 19
-  void allocatesNothingOnceGrown(int breath) {
-    CellMap<Cell> map = map(KeyOrder.MORTON, true, CellGrid.of(100, 2, 1, Ends.OPEN).keys());
-    AllocationMeter meter = new AllocationMeter(Thread.currentThread().getId());
-    long[] before = new long[1];
-    long[] after = new long[1];
-    CellChanges changes = new CellChanges();
-    int head = 100;
-    int tail = 0;
-    for (int round = 0; round < 20; round++) {
-      meter.read(before);
-      for (int step = 0; step < 1_000; step++) {
-        int length = 100 - breath * (step / 10 % 2);
-        head += step % 3;
-        for (int i = head - step % 3; i < head; i++) {
-          changes.add(CellKey.of(i, 0, 0));
-          changes.add(CellKey.of(i, 1, 0));
-        }
-        for (; tail < head - length; tail++) {
-          changes.remove(CellKey.of(tail, 0, 0));
-          changes.remove(CellKey.of(tail, 1, 0));
-        }
-        for (; tail > head - length; tail--) {
-          changes.add(CellKey.of(tail - 1, 0, 0));
-          changes.add(CellKey.of(tail - 1, 1, 0));
-        }
-        map.apply(changes);
-        assertTrue(map.contains(CellKey.of(head - 1, 1, 0)));
-        assertEquals(2 * length, map.size());
-      }
-      meter.read(after);
-    }
-    assertEquals(0, after[0] - before[0]);
   }
 }
