@@ -32,6 +32,12 @@ final class PullTickets {
   private static final int EPOCH_SHIFT = 33;
   private static final long EPOCH_MASK = (1L << 64 - EPOCH_SHIFT) - 1;
 
+  // The JVM links a call of a VarHandle when it is first made, and allocates for that. All others
+  // are made in the first pass; this one only when somebody steals, which may be much later.
+  static {
+    WORD.compareAndSet(new long[1], 0, 0L, 0L);
+  }
+
   private final int segments;
   private final long[] words;
 
