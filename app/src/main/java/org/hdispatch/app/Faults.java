@@ -5,6 +5,7 @@ import java.nio.channels.ClosedByInterruptException;
 import java.util.List;
 import java.util.Locale;
 import java.util.concurrent.CancellationException;
+import org.hdispatch.lbm.immersed.LostBodyException;
 import org.hdispatch.porous.flow.DivergedException;
 import org.hdispatch.porous.io.ImageFileException;
 import picocli.CommandLine;
@@ -54,7 +55,9 @@ final class Faults {
     if (thrown instanceof ImageFileException) {
       return ExitCode.FILE;
     }
-    return thrown instanceof DivergedException ? ExitCode.NOT_CONVERGED : ExitCode.FAULT;
+    return thrown instanceof DivergedException || thrown instanceof LostBodyException
+        ? ExitCode.NOT_CONVERGED
+        : ExitCode.FAULT;
   }
 
   private static String line(ExitCode code, Throwable thrown) {

@@ -23,6 +23,9 @@ public final class Body {
     FREE
   }
 
+  /** Farthest from the origin that a centre may be: images are numbered by ints. */
+  private static final double FARTHEST = 1 << 30;
+
   private final Shape shape;
   private final Motion motion;
   private final Path path; // of a prescribed motion, else null
@@ -44,6 +47,7 @@ public final class Body {
   private double ty;
   private double tz;
   private double held;
+  private boolean immersed;
 
   private Body(Shape shape, Motion motion, Path path, double density, Point place) {
     this.shape = Objects.requireNonNull(shape, "shape");
@@ -83,8 +87,7 @@ public final class Body {
    */
   public static Body free(Sphere shape, double density, Point place) {
     if (!(density > 0.5 && density < Double.POSITIVE_INFINITY)) {
-      throw new IllegalArgumentException(
-          "density of a free body must exceed half the fluid's: density=" + density);
+      throw Refusal.density(density);
     }
     return new Body(shape, Motion.FREE, null, density, place);
   }
@@ -117,25 +120,87 @@ public final class Body {
     return 0.4 * mass() * shape.reachX() * shape.reachX();
   }
 
-  /** Puts the centre at a place; for paths, and between two steps. */
+  /** Marks the body as one of a scheme's: whether it was none before. */
+  boolean immerse() {
+    boolean first = !immersed;
+    immersed = true;
+    return first;
+  }
+
+  /**
+   * Puts the centre at a place; for paths, and between two steps.
+   *
+   * @throws IllegalArgumentException if it is not within 2^30 node spacings of the origin
+   */
   public void moveTo(double toX, double toY, double toZ) {
+    if (!(isPlace(toX) && isPlace(toY) && isPlace(toZ))) {
+      throw Refusal.place(toX, toY, toZ);
+    }
     x = toX;
     y = toY;
     z = toZ;
   }
 
-  /** Sets the velocity of the centre; for paths, and between two steps. */
+  private static boolean isPlace(double coordinate) {
+    return Math.abs(coordinate) <= FARTHEST; // never for a NaN
+  }
+
+  /**
+   * Sets the velocity of the centre; for paths, and between two steps.
+   *
+   * @throws IllegalArgumentException if it is not finite
+   */
   public void moveAt(double velocityX, double velocityY, double velocityZ) {
+    if (!isFinite(velocityX, velocityY, velocityZ)) {
+      throw Refusal.velocity(velocityX, velocityY, velocityZ);
+    }
     ux = velocityX;
     uy = velocityY;
     uz = velocityZ;
   }
 
-  /** Sets the angular velocity; for paths, and between two steps. */
+  /**
+   * Sets the angular velocity; for paths, and between two steps.
+   *
+   * @throws IllegalArgumentException if it is not finite
+   */
   public void spinAt(double spinX, double spinY, double spinZ) {
+    if (!isFinite(spinX, spinY, spinZ)) {
+      throw Refusal.spin(spinX, spinY, spinZ);
+    }
     wx = spinX;
     wy = spinY;
     wz = spinZ;
+  }
+
+  private static boolean isFinite(double a, double b, double c) {
+    return Double.isFinite(a) && Double.isFinite(b) && Double.isFinite(c);
+  }
+
+  /** Accelerates for a time, then moves on for it; {@link #isLost} tells what came of that. */
+  void accelerate(double ax, double ay, double az, double time) {
+    ux += time * ax;
+    uy += time * ay;
+    uz += time * az;
+    x += time * ux;
+    y += time * uy;
+    z += time * uz;
+  }
+
+  /** Adds to the angular velocity; {@link #isLost} tells what came of that. */
+  void spinUp(double byX, double byY, double byZ) {
+    wx += byX;
+    wy += byY;
+    wz += byZ;
+  }
+
+  /** Whether place, velocity or spin are no longer what they may be. */
+  boolean isLost() {
+    return !(isPlace(x)
+        && isPlace(y)
+        && isPlace(z)
+        && isFinite(ux, uy, uz)
+        && isFinite(wx, wy, wz));
   }
 
   /** Mass of fluid that moved with the body in the last step: the sum of the weights B. */

@@ -24,7 +24,7 @@ import org.hdispatch.lbm.VelocitySet;
  * <p><b>Nodes.</b> The lattice's own solid nodes stay what they are; a body covers fluid nodes, and
  * the cells inside it must be fluid nodes of the lattice. Bodies repeat themselves with the
  * periodic ends of the lattice. Where cells are shared by bodies that overlap, the solid fraction
- * is their sum, at most 1.
+ * is their sum, at most 1. A body belongs to one scheme, and is in it once.
  *
  * <p><b>Flux.</b> In steady flow the mass flux through the box, over all its cells, is the sum of
  * the momentum after collision. So the superficial velocity is the mean of {@code
@@ -34,7 +34,9 @@ import org.hdispatch.lbm.VelocitySet;
  * that has the bundle. Forces are kept by bundle and summed in key order: every bit of the result
  * is the same for any number of workers. It does depend on the size of the bundles where bodies
  * move freely, since that is the order of the sums. A step allocates nothing, unless more bodies
- * come near one bundle than ever before.
+ * come near one bundle than ever before. {@code LbmScheme.initialise} and {@code restore} change
+ * the fluid alone: bodies stay where they are, and at their time. {@code save} refuses, as the
+ * state of the bodies is not in it.
  */
 public final class ImmersedBodies implements Immersion {
   /** Bodies that may come near one bundle before room for more must be made. */
@@ -88,19 +90,7 @@ public final class ImmersedBodies implements Immersion {
    * @return a sentence, or an empty string if there is nothing to say
    */
   public static String caution(Relaxation relaxation) {
-    double tau = relaxation.relaxationTime();
-    if (tau > 0.7 || tau < 0.55) {
-      return "immersed moving boundaries are right at tau near 0.6; permeability is 7 to 13 % high at"
-          + " tau 1, 31 to 59 % at tau 2, 1 to 4 % low at tau 0.53: tau="
-          + tau;
-    }
-    return relaxation.omegaPlus() == relaxation.omegaMinus()
-        ? ""
-        : "immersed moving boundaries are right with one relaxation time, 3 to 8 % high in"
-            + " permeability with two at magic number 3/16 and tau 0.6: omega+="
-            + relaxation.omegaPlus()
-            + ", omega-="
-            + relaxation.omegaMinus();
+    return Caution.of(relaxation);
   }
 
   @Override
@@ -111,7 +101,12 @@ public final class ImmersedBodies implements Immersion {
       Equilibrium form,
       CellMap<NodalBundle> bundles) {
     if (vicinities != null) {
-      throw new IllegalStateException("bodies must be in one scheme only");
+      throw Refusal.placed(bodies.length);
+    }
+    for (int n = 0; n < bodies.length; n++) {
+      if (!bodies[n].immerse()) {
+        throw Refusal.immersed(n);
+      }
     }
     lattice = where;
     set = velocitySet;
@@ -167,7 +162,11 @@ public final class ImmersedBodies implements Immersion {
     }
     newton.step();
     time++;
-    for (Body body : bodies) {
+    for (int n = 0; n < bodies.length; n++) {
+      Body body = bodies[n];
+      if (body.isLost()) {
+        throw new LostBodyException(n, time, body);
+      }
       if (body.motion() == Body.Motion.PRESCRIBED) {
         body.path().at(time, body);
       }
@@ -175,12 +174,18 @@ public final class ImmersedBodies implements Immersion {
   }
 
   /**
-   * Volume on which the body force acted in the last step, the sum of 1 - B over all nodes. The
-   * fluid's momentum grows in a step by this times the force, less the forces on the bodies, less
-   * those on the lattice's own walls.
+   * Volume on which the body force acted in the last step, the sum of 1 - B over all nodes (all of
+   * them before the first step). The fluid's momentum grows in a step by this times the force, less
+   * the forces on the bodies, less those on the lattice's own walls.
    */
   public double drivenVolume() {
     return nodes - blocked;
+  }
+
+  /** How many bodies there are. */
+  @Override
+  public String toString() {
+    return Caution.title(bodies.length);
   }
 
   /** The bodies, in the order given. */

@@ -117,11 +117,7 @@ final class Newton {
     kick[0] += time * push[0];
     kick[1] += time * push[1];
     kick[2] += time * push[2];
-    double ux = body.ux() + time * (a[0] + push[0]);
-    double uy = body.uy() + time * (a[1] + push[1]);
-    double uz = body.uz() + time * (a[2] + push[2]);
-    body.moveAt(ux, uy, uz);
-    body.moveTo(body.x() + time * ux, body.y() + time * uy, body.z() + time * uz);
+    body.accelerate(a[0] + push[0], a[1] + push[1], a[2] + push[2], time);
   }
 
   private static void spin(Body body, double[] gain) {
@@ -130,7 +126,7 @@ final class Newton {
     gain[0] = body.tx() / inertia + inner * gain[0];
     gain[1] = body.ty() / inertia + inner * gain[1];
     gain[2] = body.tz() / inertia + inner * gain[2];
-    body.spinAt(body.wx() + gain[0], body.wy() + gain[1], body.wz() + gain[2]);
+    body.spinUp(gain[0], gain[1], gain[2]);
   }
 
   private boolean nearAnything(int n) {

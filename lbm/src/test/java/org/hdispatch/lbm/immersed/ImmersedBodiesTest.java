@@ -363,6 +363,85 @@ class ImmersedBodiesTest {
     assertEquals(1, -body.uz() / speed, 0.05); // sound, walls, 8 nodes across
   }
 
+  /** Across the ends of the box the torque is still about the centre. */
+  @Test
+  void forceAndTorqueAreTheSameAcrossTheEndsOfTheBox() {
+    double[] inside = loadOfSpinning(new Point(7.25, 7, 7));
+    double[] across = loadOfSpinning(new Point(14.25, 0, 14));
+    double[] away = loadOfSpinning(new Point(-48.75, 77, 7));
+    assertTrue(inside[1] < -1e-3, "torque=" + inside[1]);
+    assertArrayEquals(inside, across, 1e-13); // rounding of sums of less than 1
+    assertArrayEquals(inside, away, 1e-13);
+  }
+
+  private static double[] loadOfSpinning(Point place) {
+    Body body = Body.spinning(new Sphere(3.3), place, new Point(0, 0, 1e-3));
+    LbmScheme scheme =
+        LbmScheme.on(ImmersedFlows.periodic(14, 14, 14))
+            .relaxation(TAU)
+            .force(new BodyForce(1e-5, 0, 0))
+            .immersion(ImmersedBodies.of(body))
+            .bundleSize(new BundleSize(5, 5, 5))
+            .build();
+    try (Dispatcher dispatcher = Dispatcher.withWorkers(2)) {
+      dispatcher.loop(scheme).run(30);
+    }
+    return new double[] {body.fx(), body.tz(), body.fy(), body.tx()};
+  }
+
+  /** A node that two bodies cover wholly is solid once, and each body has half of it. */
+  @Test
+  void bodiesOneInTheOtherShareTheirNodes() {
+    Lattice box = ImmersedFlows.periodic(12, 12, 12);
+    Point middle = new Point(5.5, 5.5, 5.5);
+    double k = ImmersedFlows.permeability(box, Body.fixed(new Box(3, 3, 3), middle));
+    Body one = Body.fixed(new Box(3, 3, 3), middle);
+    Body other = Body.fixed(new Box(3, 3, 3), middle);
+    assertEquals(k, ImmersedFlows.permeability(box, one, other), 1e-9 * k); // rounding
+    assertEquals(1, other.fx() / one.fx(), 1e-12); // rounding
+  }
+
+  @Test
+  void bodyThatIsThrownOutOfSpaceOrNowhereIsAnError() {
+    Body body = Body.free(new Sphere(2), 2, new Point(4, 4, 4));
+    LbmScheme scheme =
+        LbmScheme.on(ImmersedFlows.periodic(9, 9, 9))
+            .relaxation(TAU)
+            .immersion(ImmersedBodies.of(body).withGravity(new Point(0, 0, -1e300)))
+            .build();
+    try (Dispatcher dispatcher = Dispatcher.withWorkers(1)) {
+      TimeLoop loop = dispatcher.loop(scheme);
+      LostBodyException e = assertThrows(LostBodyException.class, () -> loop.run(2));
+      assertTrue(e.getMessage().contains("body=0, step=1, z=-"), e.getMessage());
+    }
+    assertThrows(IllegalArgumentException.class, () -> body.moveTo(0, Double.NaN, 0));
+    assertThrows(IllegalArgumentException.class, () -> body.moveTo(2e9, 0, 0));
+    assertThrows(IllegalArgumentException.class, () -> body.moveAt(0, 0, Double.NaN));
+    assertThrows(IllegalArgumentException.class, () -> body.spinAt(Double.NaN, 0, 0));
+    Sphere sphere = new Sphere(2);
+    Path nowhere = (time, moved) -> moved.moveTo(time / 0, 0, 0);
+    assertThrows(IllegalArgumentException.class, () -> Body.prescribed(sphere, nowhere));
+  }
+
+  @Test
+  void bodyIsInOneSchemeOnlyAndOnce() {
+    Body body = Body.fixed(new Sphere(2), Point.ZERO);
+    ImmersedBodies bodies = ImmersedBodies.of(body);
+    Lattice lattice = ImmersedFlows.periodic(8, 8, 8);
+    LbmScheme.on(lattice).relaxation(TAU).immersion(bodies).build();
+    var withGravity = LbmScheme.on(lattice).immersion(bodies.withGravity(new Point(0, 0, 1e-5)));
+    IllegalStateException e = assertThrows(IllegalStateException.class, withGravity::build);
+    assertEquals("body must be in one scheme only, and once: body=0", e.getMessage());
+    ImmersedBodies none = ImmersedBodies.of();
+    var empty = LbmScheme.on(lattice).immersion(none);
+    empty.build();
+    assertThrows(IllegalStateException.class, empty::build);
+    Body twice = Body.fixed(new Sphere(2), Point.ZERO);
+    var both = LbmScheme.on(lattice).immersion(ImmersedBodies.of(twice, twice));
+    assertThrows(IllegalStateException.class, both::build);
+    assertEquals("1 immersed bodies", bodies.toString());
+  }
+
   @Test
   void refusesBodiesInTwoSchemesAndWarnsOfUnfitRelaxation() {
     ImmersedBodies bodies = ImmersedBodies.of(Body.fixed(new Sphere(2), Point.ZERO));
