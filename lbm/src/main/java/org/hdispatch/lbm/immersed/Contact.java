@@ -5,6 +5,11 @@ package org.hdispatch.lbm.immersed;
  * dashpot along the line of centres, without friction (Cundall, Strack, Géotechnique 29, 1979, 47).
  * Lubrication below a node spacing is not added.
  *
+ * <p>Nothing holds a sphere at bodies of other shapes and at the lattice's own solid nodes: there
+ * it feels the fluid alone, and passes through. Of two spheres in a periodic box only the nearest
+ * images touch each other, and none touches its own. All pairs are looked at in each part of a
+ * step: that is for hundreds of spheres rather than for ten thousand.
+ *
  * <p>With the effective mass m of the pair, spring k = m (pi² + ln² e)/T², dashpot -2 m ln(e)/T: a
  * collision without fluid lasts T and returns e of its speed; at speed v spheres overlap by at most
  * v T/pi.
@@ -48,9 +53,12 @@ public record Contact(double duration, double restitution) {
    * @param approach rate of growth of the overlap
    */
   double acceleration(double overlap, double approach) {
+    if (overlap <= 0) {
+      return 0;
+    }
     double log = StrictMath.log(restitution);
     double spring = (Math.PI * Math.PI + log * log) / (duration * duration);
     double dashpot = -2 * log / duration;
-    return overlap <= 0 ? 0 : spring * overlap + dashpot * approach;
+    return spring * overlap + dashpot * approach;
   }
 }

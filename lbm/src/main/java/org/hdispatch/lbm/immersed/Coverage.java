@@ -5,7 +5,8 @@ import java.util.Arrays;
 /**
  * A solid given by its fraction in each cell of a box of cells: a grey-scale image. Order {@code x
  * + nx (y + ny z)}; the centre is that of the box. For bodies that stay where they are, with cells
- * that coincide with those of the lattice: a fraction between cells is that of the nearest.
+ * that coincide with those of the lattice: a fraction between cells is that of the nearest, of two
+ * as near that of the upper one, so that images side by side share no cell.
  */
 public final class Coverage implements Shape {
   private final int nx;
@@ -71,9 +72,9 @@ public final class Coverage implements Shape {
 
   @Override
   public double fraction(double x, double y, double z) {
-    int i = (int) Math.rint(x + (nx - 1) / 2.0);
-    int j = (int) Math.rint(y + (ny - 1) / 2.0);
-    int k = (int) Math.rint(z + (nz - 1) / 2.0);
+    int i = (int) Math.floor(x + nx / 2.0);
+    int j = (int) Math.floor(y + ny / 2.0);
+    int k = (int) Math.floor(z + nz / 2.0);
     boolean within = i >= 0 && j >= 0 && k >= 0 && i < nx && j < ny && k < nz;
     return within ? fractions[i + nx * (j + ny * k)] : 0;
   }

@@ -177,6 +177,14 @@ class ShapeTest {
     assertEquals(1, coverage.fraction(1, 0.5, 0), 0);
     assertEquals(0, coverage.fraction(2, 0.5, 0), 0);
     assertEquals(3.5, coverage.volume(), 0);
+    for (double x = -1.75; x < 2; x += 0.25) { // images side by side: each place is in one
+      int images = 0;
+      Coverage solid = Coverage.of(3, 1, 1, new float[] {1, 1, 1});
+      for (int image = -1; image <= 1; image++) {
+        images += (int) solid.fraction(x + 3 * image, 0, 0);
+      }
+      assertEquals(1, images, "x=" + x);
+    }
     Coverage inverse = Coverage.ofGrey(3, 2, 1, grey, 150, 50);
     assertEquals(2.5, inverse.volume(), 0);
   }
