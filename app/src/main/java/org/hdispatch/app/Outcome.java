@@ -44,7 +44,7 @@ record Outcome(
   }
 
   double connectedPorosity() {
-    return flow.percolation().connectedPorosity();
+    return flow.connectedPorosity();
   }
 
   /** Superficial (Darcy) velocity, m/s, if the voxel edge is known. */

@@ -72,7 +72,9 @@ record Rock(
               + ", box="
               + box
               + ", "
-              + rule
+              + range
+                  .map(grey -> "pore_solid=" + grey.get(0) + "," + grey.get(1))
+                  .orElse(rule.toString())
               + ", labels="
               + labelsOf(image));
     }

@@ -23,6 +23,7 @@ class WallsTest {
     assertEquals("\"bgk\"", row.get("collision"));
     assertEquals("0.6", row.get("tau"));
     assertEquals(1 - 0.343, Double.parseDouble(row.get("porosity")), 1e-5);
+    assertEquals(1 - 0.343, Double.parseDouble(row.get("porosity_connected")), 1e-5);
   }
 
   @Test
@@ -54,6 +55,8 @@ class WallsTest {
     run(image, "--solid-fraction-range", "50,200").assertRefused(2, "must come with --walls imb");
     run(image, "--walls", "imb", "--solid-fraction-range", "5,5").assertRefused(2, "must differ");
     run(image, "--walls", "imb", "--solid-fraction-range", "5").assertRefused(2, "2 integers");
+    run(image, "--walls", "imb", "--solid-fraction-range", "255,201")
+        .assertRefused(3, "must have pore voxels", "pore_solid=255,201");
     run(image, "--walls", "brick").assertRefused(2, "bounce-back, imb");
   }
 

@@ -118,6 +118,24 @@ final class FlowDomain {
                 axis == Axis.Z ? ends : sides);
   }
 
+  /** Nodes of the rock, without the slabs. */
+  long rockNodes() {
+    long count = 0;
+    for (int z = 0; z < rock.nz(); z++) {
+      for (int y = 0; y < rock.ny(); y++) {
+        for (int x = 0; x < rock.nx(); x++) {
+          count += isNode(x, y, z) ? 1 : 0;
+        }
+      }
+    }
+    return count;
+  }
+
+  /** Pore volume of the rock in which fluid flows, over that of the rock box. */
+  double connectedPorosity() {
+    return solid.map(fractions -> fractions.porosity(rock)).orElse(rock.porosity());
+  }
+
   /** Whether boundaries are immersed. */
   boolean immersed() {
     return solid.isPresent();

@@ -117,6 +117,15 @@ public final class SolidFractions {
     return 1 - sum / fractions.length;
   }
 
+  /** Pore volume within some voxels, over that of the whole box. */
+  double porosity(PoreSpace part) {
+    double sum = 0;
+    for (int voxel = 0; voxel < fractions.length; voxel++) {
+      sum += part.isPore(voxel) ? 1 - fractions[voxel] : 0;
+    }
+    return sum / fractions.length;
+  }
+
   /** Number of voxels that are partly or wholly solid. */
   long coveredVoxels() {
     long count = 0;

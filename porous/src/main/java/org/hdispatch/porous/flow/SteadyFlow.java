@@ -10,7 +10,8 @@ import org.hdispatch.porous.pore.PoreSpace;
  * The outcome of a flow computation, in voxel units.
  *
  * @param options what was asked
- * @param porosity pore voxels over all voxels of the rock box
+ * @param porosity pore volume over that of the rock box
+ * @param connectedPorosity pore volume of the spanning clusters over that of the rock box
  * @param percolation which part of the pore space spans; the flow was solved in that part
  * @param permeability k, voxel²; 0 if nothing spans
  * @param errorEstimate estimated relative error of k; 0 if nothing spans
@@ -24,6 +25,7 @@ import org.hdispatch.porous.pore.PoreSpace;
 public record SteadyFlow(
     FlowOptions options,
     double porosity,
+    double connectedPorosity,
     Percolation percolation,
     double permeability,
     double errorEstimate,
@@ -67,6 +69,7 @@ public record SteadyFlow(
     return new SteadyFlow(
         options,
         porosity,
+        0,
         percolation,
         0,
         0,
