@@ -7,7 +7,7 @@ import java.util.Map;
 import org.junit.jupiter.api.Test;
 
 class SettleCommandTest {
-  /** Three nodes across a sphere are few: within a tenth of the measurement. */
+  /** Four nodes across a sphere are few: within a tenth of the measurement. */
   @Test
   void comparesWithTheMeasurement() {
     Map<String, String> row =
