@@ -39,9 +39,9 @@ final class Aggregation {
     Links links = cell.upper;
     for (int node = 0; node < cell.nodes; node++) {
       int block = block(cell.position[node]);
-      for (int n = links.start()[node]; n < links.start()[node + 1]; n++) {
+      for (int n = links.begin(node); n < links.end(node); n++) {
         int other = links.to()[n];
-        if (other < cell.nodes && block(cell.position[other]) == block) {
+        if (links.mobility()[n] > 0 && block(cell.position[other]) == block) {
           int a = root(node);
           int b = root(other);
           parent[Math.max(a, b)] = Math.min(a, b);
@@ -51,16 +51,17 @@ final class Aggregation {
   }
 
   private void findLinksOutside(GraphCell cell) {
+    for (char node : cell.halo.row()) {
+      outside[root(node)] = true;
+    }
     Links links = cell.upper;
     for (int node = 0; node < cell.nodes; node++) {
       if (cell.ground != null && cell.ground[node] > 0) {
         outside[root(node)] = true;
       }
-      for (int n = links.start()[node]; n < links.start()[node + 1]; n++) {
+      for (int n = links.begin(node); n < links.end(node); n++) {
         int other = links.to()[n];
-        if (other >= cell.nodes) {
-          outside[root(node)] = true;
-        } else if (root(other) != root(node)) {
+        if (root(other) != root(node)) {
           outside[root(node)] = true;
           outside[root(other)] = true;
         }

@@ -30,24 +30,31 @@ final class BodyForce {
             body.flux(cell, m, cell.lower) + body.flux(cell, m, cell.upper) + body.ends(cell, m);
         cell.source[m] -= factor * flux;
       }
+      body.addHalo(cell, factor);
     }
   }
 
   private double flux(GraphCell cell, int node, Links links) {
     double flux = 0;
-    for (int n = links.start()[node]; n < links.start()[node + 1]; n++) {
-      int end = links.to()[n];
-      if (end < cell.nodes) {
-        FineCells.coordinates(cell, end, there);
-      } else {
-        int halo = end - cell.nodes;
-        FineCells.coordinates(cell.haloCell(halo), cell.haloNodes[halo], there);
-      }
-      for (int axis = 0; axis < 3; axis++) {
-        flux += links.mobility()[n] * force[axis] * step(axis);
-      }
+    for (int n = links.begin(node); n < links.end(node); n++) {
+      FineCells.coordinates(cell, links.to()[n], there);
+      flux += links.mobility()[n] * along();
     }
     return flux;
+  }
+
+  private void addHalo(GraphCell cell, double factor) {
+    HaloLinks halo = cell.halo;
+    for (int n = 0; n < halo.row().length; n++) {
+      FineCells.coordinates(cell, halo.row()[n], here);
+      FineCells.coordinates(halo.cell(n), halo.to()[n], there);
+      cell.source[halo.row()[n]] -= factor * halo.mobility()[n] * along();
+    }
+  }
+
+  /** Force times the way from here to there. */
+  private double along() {
+    return force[0] * step(0) + force[1] * step(1) + force[2] * step(2);
   }
 
   /** How far the other end of a link lies along an axis, through a periodic end if it is nearer. */

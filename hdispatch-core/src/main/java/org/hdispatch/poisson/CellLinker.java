@@ -1,8 +1,8 @@
 package org.hdispatch.poisson;
 
-import java.util.ArrayList;
 import java.util.Arrays;
-import java.util.List;
+import java.util.LinkedHashMap;
+import java.util.Map;
 
 /**
  * Collects the links of one cell, node after node, adds up those between the same two nodes, and
@@ -14,34 +14,51 @@ final class CellLinker {
   private double ground;
   private double diagonal;
 
-  private final List<GraphCell> haloCells = new ArrayList<>();
-  private final List<int[]> haloPlaces = new ArrayList<>(); // by node of the halo cell; -1: none
-  private int extent;
-
-  // Links of the node in work: other ends and mobilities; place + 1 among them by other end.
-  private int[] ends = new int[16];
-  private double[] mobilities = new double[16];
-  private int[] placeOf = new int[16];
-  private int degree;
-
+  private final Rows lower = new Rows();
+  private final Rows upper = new Rows();
   private int[] lowerStart = {};
   private int[] upperStart = {};
-  private final Growing lower = new Growing();
-  private final Growing upper = new Growing();
+  private final Map<GraphCell, Rows> halo = new LinkedHashMap<>();
 
-  /** Links of one side of the rows, growing. */
-  private static final class Growing {
+  /** Links as they come: own node, other node, mobility. */
+  private static final class Rows {
+    int[] row = new int[64];
     int[] to = new int[64];
     double[] mobility = new double[64];
     int size;
+    int begin; // of the row in work
 
-    void add(int end, double value) {
+    /** Adds to a link of the row in work, or makes it. */
+    void add(int from, int end, double value) {
+      if (size == 0 || row[size - 1] != from) {
+        begin = size;
+      }
+      for (int n = begin; n < size; n++) {
+        if (to[n] == end) {
+          mobility[n] += value;
+          return;
+        }
+      }
+      put(from, end, value);
+    }
+
+    void put(int from, int end, double value) {
       if (size == to.length) {
+        row = Arrays.copyOf(row, 2 * size);
         to = Arrays.copyOf(to, 2 * size);
         mobility = Arrays.copyOf(mobility, 2 * size);
       }
+      row[size] = from;
       to[size] = end;
       mobility[size++] = value;
+    }
+
+    /** Ends the row in work, and fills its last triple up. */
+    int fill(int from) {
+      while (size % 3 != 0) {
+        put(from, from, 0);
+      }
+      return size / 3;
     }
   }
 
@@ -49,12 +66,9 @@ final class CellLinker {
   void begin(GraphCell next) {
     cell = next;
     node = 0;
-    degree = 0;
     ground = 0;
     diagonal = 0;
-    haloCells.clear();
-    haloPlaces.clear();
-    extent = cell.nodes;
+    halo.clear();
     lower.size = 0;
     upper.size = 0;
     lowerStart = new int[cell.nodes + 1];
@@ -68,22 +82,12 @@ final class CellLinker {
     if (mobility == 0 || other == cell && otherNode == node) {
       return;
     }
-    int end = other == cell ? otherNode : haloEnd(other, otherNode);
-    if (end >= placeOf.length) {
-      placeOf = Arrays.copyOf(placeOf, 2 * end);
-    }
     diagonal += mobility;
-    if (placeOf[end] > 0) {
-      mobilities[placeOf[end] - 1] += mobility;
-      return;
-    }
-    if (degree == ends.length) {
-      ends = Arrays.copyOf(ends, 2 * degree);
-      mobilities = Arrays.copyOf(mobilities, 2 * degree);
-    }
-    ends[degree] = end;
-    mobilities[degree++] = mobility;
-    placeOf[end] = degree;
+    Rows rows =
+        other != cell
+            ? halo.computeIfAbsent(other, first -> new Rows())
+            : otherNode < node ? lower : upper;
+    rows.add(node, otherNode, mobility);
   }
 
   /** A link of the node in work to a fixed side. */
@@ -92,28 +96,8 @@ final class CellLinker {
     diagonal += mobility;
   }
 
-  private int haloEnd(GraphCell other, int otherNode) {
-    int at = haloCells.indexOf(other);
-    if (at < 0) {
-      at = haloCells.size();
-      haloCells.add(other);
-      int[] places = new int[other.nodes];
-      Arrays.fill(places, -1);
-      haloPlaces.add(places);
-    }
-    int[] places = haloPlaces.get(at);
-    if (places[otherNode] < 0) {
-      places[otherNode] = extent++;
-    }
-    return places[otherNode];
-  }
-
   /** Ends the node in work and goes on to the next. */
   void nextNode() {
-    for (int n = 0; n < degree; n++) {
-      (ends[n] < node ? lower : upper).add(ends[n], mobilities[n]);
-      placeOf[ends[n]] = 0;
-    }
     if (ground > 0) {
       if (cell.ground == null) {
         cell.ground = new double[cell.nodes];
@@ -121,43 +105,44 @@ final class CellLinker {
       cell.ground[node] = ground;
     }
     cell.inverseDiagonal[node] = diagonal > 0 ? 1 / diagonal : 0;
-    degree = 0;
     ground = 0;
     diagonal = 0;
+    lowerStart[node + 1] = lower.fill(node);
+    upperStart[node + 1] = upper.fill(node);
     node++;
-    lowerStart[node] = lower.size;
-    upperStart[node] = upper.size;
   }
 
-  /** Ends the cell: its halo is sorted by cell and node, so that it is gathered in runs. */
+  /** Ends the cell. */
   void end() {
-    int[] sorted = new int[extent];
-    for (int n = 0; n < cell.nodes; n++) {
-      sorted[n] = n;
+    cell.lower = links(lowerStart, lower);
+    cell.upper = links(upperStart, upper);
+    GraphCell[] cells = halo.keySet().toArray(new GraphCell[0]);
+    int[] end = new int[cells.length];
+    int links = 0;
+    for (int c = 0; c < cells.length; c++) {
+      links += halo.get(cells[c]).size;
+      end[c] = links;
     }
-    cell.haloCells = haloCells.toArray(new GraphCell[0]);
-    cell.haloEnd = new int[cell.haloCells.length];
-    cell.haloNodes = new char[extent - cell.nodes];
+    char[] row = new char[links];
+    char[] to = new char[links];
+    double[] mobility = new double[links];
     int next = 0;
-    for (int c = 0; c < cell.haloCells.length; c++) {
-      int[] places = haloPlaces.get(c);
-      for (int n = 0; n < places.length; n++) {
-        if (places[n] >= 0) {
-          sorted[places[n]] = cell.nodes + next;
-          cell.haloNodes[next++] = (char) n;
-        }
+    for (GraphCell other : cells) {
+      Rows rows = halo.get(other);
+      for (int n = 0; n < rows.size; n++) {
+        row[next] = (char) rows.row[n];
+        to[next] = (char) rows.to[n];
+        mobility[next++] = rows.mobility[n];
       }
-      cell.haloEnd[c] = next;
     }
-    cell.lower = links(lowerStart, lower, sorted);
-    cell.upper = links(upperStart, upper, sorted);
+    cell.halo = new HaloLinks(cells, end, row, to, mobility);
   }
 
-  private static Links links(int[] start, Growing links, int[] sorted) {
-    char[] to = new char[links.size];
+  private static Links links(int[] start, Rows rows) {
+    char[] to = new char[rows.size];
     for (int n = 0; n < to.length; n++) {
-      to[n] = (char) sorted[links.to[n]];
+      to[n] = (char) rows.to[n];
     }
-    return new Links(start, to, Arrays.copyOf(links.mobility, links.size));
+    return new Links(start, to, Arrays.copyOf(rows.mobility, rows.size));
   }
 }

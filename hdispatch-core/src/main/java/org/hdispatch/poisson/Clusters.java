@@ -48,16 +48,13 @@ final class Clusters {
     int offset = offsets.get(cell);
     Links links = cell.upper;
     for (int m = 0; m < cell.nodes; m++) {
-      for (int n = links.start()[m]; n < links.start()[m + 1]; n++) {
-        int end = links.to()[n];
-        if (end < cell.nodes) {
-          join(parent, offset + m, offset + end);
-        } else {
-          int halo = end - cell.nodes;
-          int other = offsets.get(cell.haloCell(halo));
-          join(parent, offset + m, other + cell.haloNodes[halo]);
-        }
+      for (int n = links.begin(m); n < links.end(m); n++) {
+        join(parent, offset + m, offset + links.to()[n]);
       }
+    }
+    HaloLinks halo = cell.halo;
+    for (int n = 0; n < halo.row().length; n++) {
+      join(parent, offset + halo.row()[n], offsets.get(halo.cell(n)) + halo.to()[n]);
     }
   }
 

@@ -15,8 +15,8 @@ import org.hdispatch.cell.KeyOrder;
  * <p>A coarse cell has a box of twice the edge, or of the same where its nodes would be too many.
  */
 final class CoarseCells {
-  /** Most nodes of a cell: links of 16 bits reach them and those of six neighbours. */
-  private static final int MOST_NODES = 9_000;
+  /** Most nodes of a cell: many cells make work for many workers, and 16 bits reach them. */
+  private static final int MOST_NODES = 8_192;
 
   private final CellMap<GraphCell> fine;
   private final Map<GraphCell, char[]> places = new HashMap<>(); // of the aggregates
@@ -123,14 +123,20 @@ final class CoarseCells {
     return cell;
   }
 
-  private void link(GraphCell coarse, CellLinker linker) {
+  private static void link(GraphCell coarse, CellLinker linker) {
     linker.begin(coarse);
     for (GraphCell child : coarse.children) {
       int[][] members = members(child);
+      int[] haloOrder = inOrderOfRows(child);
+      int[] haloStart = haloStart(child);
       for (int[] aggregate : members) {
         for (int node : aggregate) {
-          links(child, node, child.lower, linker);
-          links(child, node, child.upper, linker);
+          link(child, node, child.lower, linker);
+          link(child, node, child.upper, linker);
+          for (int n = haloStart[node]; n < haloStart[node + 1]; n++) {
+            int halo = haloOrder[n];
+            link(child.halo.cell(halo), child.halo.to()[halo], child.halo.mobility()[halo], linker);
+          }
           if (child.ground != null) {
             linker.ground(child.ground[node]);
           }
@@ -139,6 +145,39 @@ final class CoarseCells {
       }
     }
     linker.end();
+  }
+
+  private static void link(GraphCell cell, int node, Links links, CellLinker linker) {
+    for (int n = links.begin(node); n < links.end(node); n++) {
+      if (links.mobility()[n] > 0) {
+        link(cell, links.to()[n], links.mobility()[n], linker);
+      }
+    }
+  }
+
+  private static void link(GraphCell other, int node, double mobility, CellLinker linker) {
+    linker.link(other.parent, other.parentOffset + other.aggregate[node], mobility);
+  }
+
+  /** First halo link of each row among those in the order of rows. */
+  private static int[] haloStart(GraphCell cell) {
+    int[] start = new int[cell.nodes + 1];
+    for (char row : cell.halo.row()) {
+      start[row + 1]++;
+    }
+    for (int m = 0; m < cell.nodes; m++) {
+      start[m + 1] += start[m];
+    }
+    return start;
+  }
+
+  private static int[] inOrderOfRows(GraphCell cell) {
+    int[] next = haloStart(cell);
+    int[] order = new int[cell.halo.row().length];
+    for (int n = 0; n < order.length; n++) {
+      order[next[cell.halo.row()[n]]++] = n;
+    }
+    return order;
   }
 
   /** The nodes of each aggregate of a cell. */
@@ -160,18 +199,5 @@ final class CoarseCells {
       }
     }
     return members;
-  }
-
-  private static void links(GraphCell cell, int node, Links links, CellLinker linker) {
-    for (int n = links.start()[node]; n < links.start()[node + 1]; n++) {
-      int end = links.to()[n];
-      GraphCell other = cell;
-      if (end >= cell.nodes) {
-        int halo = end - cell.nodes;
-        other = cell.haloCell(halo);
-        end = cell.haloNodes[halo];
-      }
-      linker.link(other.parent, other.parentOffset + other.aggregate[end], links.mobility()[n]);
-    }
   }
 }

@@ -42,25 +42,27 @@ final class DirectSolver {
     int offset = offsets.get(cell);
     for (int m = 0; m < cell.nodes; m++) {
       double[] row = new double[offset + m + 1];
-      int first = offset + m;
-      for (Links links : new Links[] {cell.lower, cell.upper}) {
-        for (int n = links.start()[m]; n < links.start()[m + 1]; n++) {
-          int end = links.to()[n];
-          int column = end < cell.nodes ? offset + end : haloColumn(cell, end, offsets);
-          if (column < offset + m) {
-            row[column] -= links.mobility()[n];
-            first = Math.min(first, column);
-          }
-        }
+      Links links = cell.lower;
+      for (int n = links.begin(m); n < links.end(m); n++) {
+        row[offset + links.to()[n]] -= links.mobility()[n];
       }
       row[offset + m] = cell.inverseDiagonal[m] > 0 ? 1 / cell.inverseDiagonal[m] : 0;
-      rows[offset + m] = Arrays.copyOfRange(row, first, offset + m + 1);
+      rows[offset + m] = row;
     }
-  }
-
-  private static int haloColumn(GraphCell cell, int end, Map<GraphCell, Integer> offsets) {
-    int halo = end - cell.nodes;
-    return offsets.get(cell.haloCell(halo)) + cell.haloNodes[halo];
+    HaloLinks halo = cell.halo;
+    for (int n = 0; n < halo.row().length; n++) {
+      int column = offsets.get(halo.cell(n)) + halo.to()[n];
+      if (column < offset) {
+        rows[offset + halo.row()[n]][column] -= halo.mobility()[n];
+      }
+    }
+    for (int m = offset; m < offset + cell.nodes; m++) {
+      int first = 0;
+      while (first < m && rows[m][first] == 0) {
+        first++;
+      }
+      rows[m] = Arrays.copyOfRange(rows[m], first, m + 1);
+    }
   }
 
   private void factorise() {

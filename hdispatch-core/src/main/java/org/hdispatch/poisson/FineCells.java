@@ -12,7 +12,7 @@ import org.hdispatch.cell.KeyOrder;
  * without active nodes get no cell.
  */
 final class FineCells {
-  /** Nodes along an edge of a cell: links of 16 bits reach its nodes and its halo. */
+  /** Nodes along an edge of a cell: vectors and links of a cell fit into the cache of a core. */
   static final int EDGE = 16;
 
   private static final int BOX = EDGE * EDGE * EDGE;

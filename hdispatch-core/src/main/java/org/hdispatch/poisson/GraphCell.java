@@ -1,9 +1,6 @@
 package org.hdispatch.poisson;
 
-/**
- * A cell of nodes at one level: their links, and the vectors of the iteration there. Nodes of other
- * cells that have a link to one of these make the halo; within a kernel they follow the cell's own.
- */
+/** A cell of nodes at one level: their links, and the vectors of the iteration there. */
 final class GraphCell {
   /** In place of an aggregate: the node has none, its cluster is done with at this level. */
   static final char NONE = Character.MAX_VALUE;
@@ -16,10 +13,8 @@ final class GraphCell {
 
   // Set by the linker.
   Links lower; // to nodes of this cell that come before
-  Links upper; // to those that come after, and to the halo
-  GraphCell[] haloCells;
-  int[] haloEnd; // of the nodes of each halo cell
-  char[] haloNodes;
+  Links upper; // to those that come after
+  HaloLinks halo; // to nodes of other cells
   double[] inverseDiagonal; // 0 where a node has no link at all
   double[] ground; // mobility of the links to fixed sides, null if there is none in the cell
 
@@ -58,24 +53,10 @@ final class GraphCell {
     product = new double[nodes];
   }
 
-  /** Number of own and halo nodes. */
-  int extent() {
-    return nodes + haloNodes.length;
-  }
-
-  /** The cell that a halo node belongs to. */
-  GraphCell haloCell(int halo) {
-    int c = 0;
-    while (haloEnd[c] <= halo) {
-      c++;
-    }
-    return haloCells[c];
-  }
-
   /** Bytes of all arrays. */
   long bytes() {
-    long bytes = 2L * nodes + 56L * nodes + lower.bytes() + upper.bytes();
-    bytes += 12L * haloCells.length + 2L * haloNodes.length + 8L * nodes;
+    long bytes = 2L * nodes + 56L * nodes + lower.bytes() + upper.bytes() + halo.bytes();
+    bytes += 8L * nodes;
     bytes += ground == null ? 0 : 8L * nodes;
     bytes += fixedSource == null ? 0 : 8L * nodes;
     bytes += source == null ? 0 : 12L * nodes;

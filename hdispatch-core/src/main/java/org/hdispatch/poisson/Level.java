@@ -35,18 +35,18 @@ final class Level {
   Level(CellMap<GraphCell> cells, Clusters clusters, Dispatcher dispatcher) {
     this.cells = cells;
     this.clusters = clusters;
-    int extent = 0;
+    int nodes = 0;
     for (int n = 0; n < cells.size(); n++) {
-      extent = Math.max(extent, cells.cellAt(n).extent());
+      nodes = Math.max(nodes, cells.cellAt(n).nodes);
     }
-    int most = extent;
+    int most = nodes;
     if (cells.size() > 1) {
       scratch = null;
       loop =
           dispatcher.loop(
               Scheme.of(cells)
                   .scratch(() -> new double[most])
-                  .pass("conjugate gradients", (cell, u, tick) -> process(cell, u))
+                  .pass("conjugate gradients", (cell, sums, tick) -> process(cell, sums))
                   .build());
     } else {
       scratch = new double[most];
@@ -83,14 +83,14 @@ final class Level {
     current = 1 - current;
   }
 
-  private void process(GraphCell cell, double[] u) {
+  private void process(GraphCell cell, double[] sums) {
     switch (task) {
-      case BEGIN -> Kernels.begin(cell, u, this);
+      case BEGIN -> Kernels.begin(cell, sums, this);
       case COLLECT -> Kernels.collect(cell);
       case FORWARD -> Kernels.forward(cell, alpha, current);
-      case RESTRICT -> Kernels.restrict(cell, u);
-      case BACKWARD -> Kernels.backward(cell, u);
-      case DIRECT -> Kernels.direct(cell, u, beta, current);
+      case RESTRICT -> Kernels.restrict(cell);
+      case BACKWARD -> Kernels.backward(cell, sums);
+      case DIRECT -> Kernels.direct(cell, sums, beta, current);
       case FINISH -> Kernels.finish(cell, alpha, current);
     }
   }
