@@ -10,7 +10,7 @@ import org.hdispatch.dispatch.TimeLoop;
  * the caller does it.
  */
 final class Level {
-  /** What a pass does; see {@link Kernels}. */
+  /** What a pass does; see {@link Kernels} and {@link Sweeps}. */
   enum Task {
     BEGIN,
     COLLECT,
@@ -64,7 +64,7 @@ final class Level {
     }
   }
 
-  /** Sweeps forward after a move by alpha along the direction, see {@link Kernels#forward}. */
+  /** Sweeps forward after a move by alpha along the direction, see {@link Sweeps#forward}. */
   void forward(double length) {
     alpha = length;
     run(Task.FORWARD);
@@ -86,10 +86,10 @@ final class Level {
   private void process(GraphCell cell, double[] sums) {
     switch (task) {
       case BEGIN -> Kernels.begin(cell, sums, this);
-      case COLLECT -> Kernels.collect(cell);
-      case FORWARD -> Kernels.forward(cell, alpha, current);
-      case RESTRICT -> Kernels.restrict(cell);
-      case BACKWARD -> Kernels.backward(cell, sums);
+      case COLLECT -> Sweeps.collect(cell);
+      case FORWARD -> Sweeps.forward(cell, alpha, current);
+      case RESTRICT -> Sweeps.restrict(cell);
+      case BACKWARD -> Sweeps.backward(cell, sums);
       case DIRECT -> Kernels.direct(cell, sums, beta, current);
       case FINISH -> Kernels.finish(cell, alpha, current);
     }
