@@ -54,7 +54,8 @@ public final class LbmScheme implements Scheme<NodalBundle, LbmScheme.Scratch> {
     phase = new Phase(builder.streaming);
     moments = new Moments(set, builder.equilibrium, phase);
     savedState = new SavedState(set, bundles, phase);
-    initialise((x, y, z, state) -> {});
+    acted = force;
+    moments.rest(bundles, scratch, force);
   }
 
   /** Starts a scheme on a lattice: D3Q19, TRT at tau 1, quadratic equilibrium, no force. */

@@ -1,5 +1,8 @@
 package org.hdispatch.lbm;
 
+import java.util.Arrays;
+import org.hdispatch.cell.CellMap;
+
 /** Density and velocity of the nodes: put into their populations, and taken from them. */
 final class Moments {
   private final VelocitySet set;
@@ -10,6 +13,28 @@ final class Moments {
     this.set = set;
     this.equilibrium = equilibrium;
     this.phase = phase;
+  }
+
+  /**
+   * Puts the nodes of all bundles at rest, halfway through the force: each has the same numbers.
+   */
+  void rest(CellMap<NodalBundle> bundles, LbmScheme.Scratch scratch, BodyForce force) {
+    for (int i = 0; i < set.size(); i++) {
+      Arrays.fill(scratch.chunk.wide[set.opposite(i)], leaving(i, 1, 0, 0, 0, force));
+    }
+    scratch.chunk.narrow(ChunkRows.NODES);
+    for (int n = 0; n < bundles.size(); n++) {
+      scratch.cursor.begin(bundles.cellAt(n).plan());
+      while (scratch.cursor.next()) {
+        scratch.cursor.write(phase.previous(), phase.streamed(), scratch.chunk);
+      }
+    }
+  }
+
+  /** What leaves a node along velocity i in equilibrium, half the force included. */
+  private double leaving(int i, double density, double ux, double uy, double uz, BodyForce force) {
+    double along = set.cx(i) * force.x() + set.cy(i) * force.y() + set.cz(i) * force.z();
+    return equilibrium.deviation(set, i, density, ux, uy, uz) + set.weight(i) * 3 * along / 2;
   }
 
   /** Puts the nodes of a bundle into equilibrium, halfway through the force. */
@@ -23,17 +48,15 @@ final class Moments {
     cursor.begin(bundle.plan());
     while (cursor.next()) {
       for (int k = 0; k < cursor.nodes(); k++) {
-        int node = cursor.node(k);
+        int place = bundle.position(cursor.node(k)); // looked up once
         state.density = 1;
         state.ux = 0;
         state.uy = 0;
         state.uz = 0;
-        initial.at(bundle.x(node), bundle.y(node), bundle.z(node), state);
+        initial.at(bundle.xAt(place), bundle.yAt(place), bundle.zAt(place), state);
         for (int i = 0; i < set.size(); i++) {
-          double along = set.cx(i) * force.x() + set.cy(i) * force.y() + set.cz(i) * force.z();
           scratch.chunk.wide[set.opposite(i)][k] =
-              equilibrium.deviation(set, i, state.density, state.ux, state.uy, state.uz)
-                  + set.weight(i) * 3 * along / 2;
+              leaving(i, state.density, state.ux, state.uy, state.uz, force);
         }
       }
       scratch.chunk.narrow(cursor.nodes());
