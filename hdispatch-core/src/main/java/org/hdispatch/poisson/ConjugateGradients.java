@@ -139,8 +139,8 @@ public final class ConjugateGradients {
    * @param maxIterations at most so many iterations
    * @throws IllegalArgumentException if the tolerance is not positive or the number negative
    * @throws ArithmeticException if numbers grow beyond all bounds
-   * @throws CancellationException if the caller was interrupted or the dispatcher closed; the next
-   *     solve goes on from a guess that is none the worse for it
+   * @throws CancellationException if the caller was interrupted or the dispatcher closed; then some
+   *     cells may have made a move that others have not, and the next solve starts from there
    * @throws KernelException if a worker fails, as for want of stack
    * @throws IllegalStateException if the dispatcher is running a loop already or is closed
    */
