@@ -81,11 +81,16 @@ public final class ConjugateGradients {
    * @param gy force along y
    * @param gz force along z
    * @throws IllegalArgumentException if a component is infinite or not a number
+   * @throws IllegalStateException if the problem has fixed walls
    */
   public void addForce(double gx, double gy, double gz) {
     if (!Double.isFinite(gx) || !Double.isFinite(gy) || !Double.isFinite(gz)) {
       throw new IllegalArgumentException(
           "force must be finite: gx=" + gx + ", gy=" + gy + ", gz=" + gz);
+    }
+    if (problem.hasFixedWalls()) {
+      throw new IllegalStateException(
+          "walls must be closed to flow where a force acts: value on walls=" + problem.wallValue());
     }
     BodyForce.add(problem, cells, new double[] {gx, gy, gz}, factor);
   }

@@ -101,14 +101,21 @@ final class FineCells {
                 ? mobilities[other.position[otherNode]]
                 : problem.mobility(at[0], at[1], at[2]);
         linker.link(other, otherNode, problem.link(own, mobility));
+      } else if (problem.hasFixedWalls()) {
+        fix(cell, node, own, problem.wallValue());
       }
     } else if (problem.isFixed(side)) {
-      linker.ground(2 * own);
-      if (cell.fixedSource == null) {
-        cell.fixedSource = new double[cell.nodes];
-      }
-      cell.fixedSource[node] += 2 * own * problem.value(side);
+      fix(cell, node, own, problem.value(side));
     }
+  }
+
+  /** A link over half a spacing to a fixed value. */
+  private void fix(GraphCell cell, int node, double own, double value) {
+    linker.ground(2 * own);
+    if (cell.fixedSource == null) {
+      cell.fixedSource = new double[cell.nodes];
+    }
+    cell.fixedSource[node] += 2 * own * value;
   }
 
   /** Number of the node at (x, y, z) within its cell, negative if it is not active. */

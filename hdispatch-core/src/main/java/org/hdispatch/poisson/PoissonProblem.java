@@ -14,7 +14,8 @@ import org.hdispatch.cell.Ends;
  * <p>with the six neighbours across the faces of the node's unit cell. No flow crosses a face to a
  * node that is not active, nor an open end of the box. At a {@linkplain Builder#fixed fixed side}
  * the value of p is given on the outer face of the last nodes, half a spacing away from them: the
- * link has mobility 2 K_m (twice the node's, for half the way).
+ * link has mobility 2 K_m (twice the node's, for half the way). With {@linkplain
+ * Builder#fixedWalls fixed walls} so it is at the faces to nodes that are not active.
  *
  * <p>Units: any; those of b are those of mobility times p.
  */
@@ -26,6 +27,7 @@ public final class PoissonProblem {
   private final Mobility mobility;
   private final LinkMean mean;
   private final Map<Side, Double> fixed;
+  private final double walls; // NaN: closed to flow
 
   private PoissonProblem(Builder builder) {
     nx = builder.nx;
@@ -35,6 +37,7 @@ public final class PoissonProblem {
     mobility = builder.mobility;
     mean = builder.mean;
     fixed = new EnumMap<>(builder.fixed);
+    walls = builder.walls;
   }
 
   /**
@@ -89,6 +92,15 @@ public final class PoissonProblem {
     return fixed.get(side);
   }
 
+  boolean hasFixedWalls() {
+    return !Double.isNaN(walls);
+  }
+
+  /** Value on the faces to nodes that are not active. */
+  double wallValue() {
+    return walls;
+  }
+
   /** Settings of a problem. */
   public static final class Builder {
     private final int nx;
@@ -98,6 +110,7 @@ public final class PoissonProblem {
     private final Map<Side, Double> fixed = new EnumMap<>(Side.class);
     private Mobility mobility = (x, y, z) -> 1;
     private LinkMean mean = LinkMean.HARMONIC;
+    private double walls = Double.NaN;
 
     private Builder(int nx, int ny, int nz) {
       this.nx = extent(nx, "nx");
@@ -144,6 +157,21 @@ public final class PoissonProblem {
             "value on a side must be finite: side=" + side + ", value=" + value);
       }
       fixed.put(side, value);
+      return this;
+    }
+
+    /**
+     * Fixes p on all faces between an active node and one that is not, half a spacing outside the
+     * active one, as a laminar profile is 0 on the walls of its duct. The ends of the box are not
+     * among them: see {@link #fixed}.
+     *
+     * @throws IllegalArgumentException if the value is infinite or not a number
+     */
+    public Builder fixedWalls(double value) {
+      if (!Double.isFinite(value)) {
+        throw new IllegalArgumentException("value on walls must be finite: value=" + value);
+      }
+      walls = value;
       return this;
     }
 

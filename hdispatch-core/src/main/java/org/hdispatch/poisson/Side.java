@@ -16,7 +16,7 @@ public enum Side {
   Z_LAST;
 
   /** The axis across this side: 0, 1, 2 for x, y, z. */
-  int axis() {
+  public int axis() {
     return ordinal() / 2;
   }
 

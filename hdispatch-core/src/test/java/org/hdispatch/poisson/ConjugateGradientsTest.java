@@ -331,6 +331,27 @@ class ConjugateGradientsTest {
     assertEquals(0, solver.clusters());
   }
 
+  /** Laminar flow between plates of inactive nodes: y (W - y)/2, and 1/8 for the walls half way. */
+  @Test
+  void fixedWallsHoldAProfile() {
+    int width = 9;
+    PoissonProblem problem =
+        PoissonProblem.box(4, width + 2, 3)
+            .ends(Ends.PERIODIC, Ends.PERIODIC, Ends.PERIODIC)
+            .mobility((x, y, z) -> y == 0 || y == width + 1 ? 0 : 1)
+            .fixedWalls(0)
+            .build();
+    ConjugateGradients solver = ConjugateGradients.on(dispatcher, problem);
+    solver.addSources((x, y, z) -> 1);
+    assertTrue(solver.solve(1e-12, 50).converged());
+    solver.forEachNode(
+        (x, y, z, p) -> {
+          double way = y - 0.5;
+          assertEquals(way * (width - way) / 2 + 0.125, p, 1e-10);
+        });
+    assertThrows(IllegalStateException.class, () -> solver.addForce(1, 0, 0));
+  }
+
   @Test
   void linkMeanCanBeChosen() {
     ConjugateGradients solver =
@@ -361,6 +382,7 @@ class ConjugateGradientsTest {
                 .fixed(Side.X_LAST, 1)
                 .build(),
         "side=X_LAST");
+    refused(() -> box.fixedWalls(Double.NaN), "value=NaN");
     refused(() -> PoissonProblem.box(4, 0, 4), "ny=0");
     ConjugateGradients solver =
         ConjugateGradients.on(
