@@ -7,6 +7,7 @@ import org.hdispatch.lbm.KernelForm;
 import org.hdispatch.lbm.Storage;
 import org.hdispatch.lbm.Streaming;
 import org.hdispatch.lbm.immersed.SettlingSphere;
+import org.hdispatch.porous.flow.Approach;
 import org.hdispatch.porous.flow.CollisionModel;
 import org.hdispatch.porous.flow.Inlet;
 import org.hdispatch.porous.flow.Sides;
@@ -29,6 +30,13 @@ abstract class Choices implements Iterable<String> {
   @Override
   public Iterator<String> iterator() {
     return Arrays.stream(values).map(Choices::word).iterator();
+  }
+
+  /** Words for approaches. */
+  static final class OfApproach extends Choices {
+    OfApproach() {
+      super(Approach.values());
+    }
   }
 
   /** Words for axes. */

@@ -3,6 +3,7 @@ package org.hdispatch.app;
 import java.util.OptionalDouble;
 import java.util.OptionalInt;
 import org.hdispatch.lbm.VelocitySet;
+import org.hdispatch.porous.flow.Approach;
 import org.hdispatch.porous.flow.CollisionModel;
 import org.hdispatch.porous.flow.FlowOptions;
 import org.hdispatch.porous.flow.Inlet;
@@ -25,6 +26,17 @@ final class FlowSettings {
       paramLabel = "E",
       description = "Estimated relative error of k at which to stop.")
   private double tolerance = FlowOptions.DEFAULT.tolerance();
+
+  @Option(
+      names = "--approach",
+      paramLabel = "APPROACH",
+      defaultValue = "corrected",
+      completionCandidates = Choices.OfApproach.class,
+      description =
+          "How to get to the steady state: ${COMPLETION-CANDIDATES}. With corrected, pressure starts"
+              + " from Darcy's law between the nodes and is corrected every few steps; plain starts"
+              + " from rest and takes thousands of steps in tight rock (--walls imb: plain).")
+  private Approach approach;
 
   @Option(
       names = "--max-steps",
@@ -113,6 +125,7 @@ final class FlowSettings {
                 sides,
                 inlet,
                 inletLayers == null ? OptionalInt.empty() : OptionalInt.of(inletLayers),
+                approach,
                 tolerance,
                 maxSteps));
   }

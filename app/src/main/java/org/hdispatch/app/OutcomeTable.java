@@ -73,6 +73,8 @@ final class OutcomeTable {
               + Numbers.percent(outcome.options().tolerance())
               + ", last change "
               + Numbers.percent(flow.changeAtStop())
+              + ", flux balanced to "
+              + Numbers.percent(flow.fluxImbalance())
               + ")");
     }
   }
@@ -140,6 +142,16 @@ final class OutcomeTable {
                 flow.work().secondsStepping(),
                 flow.work().mflups(),
                 flow.work().fluidNodes()));
+    flow.corrections().ifPresent(corrections -> table.line("pressure", text(corrections)));
+  }
+
+  private static String text(SteadyFlow.Corrections corrections) {
+    return String.format(
+        Locale.ROOT,
+        "start and %d corrections in %.2f s%s",
+        corrections.count(),
+        corrections.seconds(),
+        corrections.helpful() ? "" : ", given up as they did not help");
   }
 
   private static void collector(Table table, Outcome outcome) {

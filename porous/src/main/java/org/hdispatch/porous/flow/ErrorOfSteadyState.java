@@ -20,13 +20,30 @@ import java.util.Arrays;
  * </ul>
  */
 final class ErrorOfSteadyState {
-  private static final int LEAST_WINDOW = 4;
-  private static final double LEAST_RATIO = 2.0 / 3;
-
+  private final int leastWindow;
+  private final double leastRatio;
   private double[] values = new double[64];
   private int count;
   private double imbalance = Double.POSITIVE_INFINITY;
   private double momentum = 1;
+
+  private ErrorOfSteadyState(int leastWindow, double leastRatio) {
+    this.leastWindow = leastWindow;
+    this.leastRatio = leastRatio;
+  }
+
+  /** Of a flow that starts from rest: at least four samples a window. */
+  static ErrorOfSteadyState wherePlain() {
+    return new ErrorOfSteadyState(4, 2.0 / 3);
+  }
+
+  /**
+   * Of a flow whose pressure is corrected between samples: each correction leaves a third of the
+   * error or so, and one sample makes a window at first; r below 1/2 counts as 1/2.
+   */
+  static ErrorOfSteadyState whereCorrected() {
+    return new ErrorOfSteadyState(1, 0.5);
+  }
 
   /**
    * Adds a sample; samples come at equal intervals.
@@ -58,7 +75,7 @@ final class ErrorOfSteadyState {
   }
 
   private double extrapolatedDecay() {
-    int window = Math.max(LEAST_WINDOW, count / 6);
+    int window = Math.max(leastWindow, count / 6);
     if (count < 2 * window + 1) {
       return Double.POSITIVE_INFINITY;
     }
@@ -70,7 +87,7 @@ final class ErrorOfSteadyState {
     if (recent >= before) {
       return Double.POSITIVE_INFINITY;
     }
-    double ratio = Math.max(LEAST_RATIO, recent / before);
+    double ratio = Math.max(leastRatio, recent / before);
     return recent * ratio / (1 - ratio) / Math.abs(values[count - 1]);
   }
 

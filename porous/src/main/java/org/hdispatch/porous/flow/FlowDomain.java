@@ -3,8 +3,6 @@ package org.hdispatch.porous.flow;
 import java.util.Optional;
 import org.hdispatch.cell.Ends;
 import org.hdispatch.lbm.Lattice;
-import org.hdispatch.lbm.LbmScheme;
-import org.hdispatch.lbm.NodalBundle;
 import org.hdispatch.lbm.immersed.Body;
 import org.hdispatch.lbm.immersed.ImmersedBodies;
 import org.hdispatch.lbm.immersed.Point;
@@ -152,20 +150,6 @@ final class FlowDomain {
                         (rock.nx() - 1) / 2.0 + offset(Axis.X),
                         (rock.ny() - 1) / 2.0 + offset(Axis.Y),
                         (rock.nz() - 1) / 2.0 + offset(Axis.Z)))));
-  }
-
-  /** Visits the nodes of a bundle with the flux through each. */
-  void forEachFlux(
-      LbmScheme flow,
-      NodalBundle bundle,
-      LbmScheme.Scratch scratch,
-      LbmScheme.NodeVisitor visitor) {
-    if (solid.isPresent()) {
-      flow.forEachFlux(
-          bundle, scratch, visitor); // a velocity counts for little in a part of a cell
-    } else {
-      flow.forEachNode(bundle, scratch, visitor);
-    }
   }
 
   Lattice lattice() {

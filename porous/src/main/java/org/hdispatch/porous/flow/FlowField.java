@@ -60,7 +60,7 @@ public final class FlowField {
         };
     LbmScheme.Scratch scratch = flow.newScratch();
     for (int n = 0; n < flow.cells().size(); n++) {
-      domain.forEachFlux(flow, flow.cells().cellAt(n), scratch, visitor);
+      flow.forEachFlux(flow.cells().cellAt(n), scratch, visitor);
     }
     field.pressureFromInlet(domain);
     return field;

@@ -18,6 +18,7 @@ import org.hdispatch.porous.image.Axis;
  * @param inlet what bounds the rock at the ends
  * @param inletLayers layers of fluid at each end, if the inlet is a slab; empty to have them chosen
  *     from the width of the pores
+ * @param approach how the flow gets to its steady state
  * @param tolerance estimated relative error of k at which to stop
  * @param maxSteps steps after which to give up
  */
@@ -29,6 +30,7 @@ public record FlowOptions(
     Sides sides,
     Inlet inlet,
     OptionalInt inletLayers,
+    Approach approach,
     double tolerance,
     long maxSteps) {
 
@@ -48,6 +50,7 @@ public record FlowOptions(
           Sides.WALL,
           Inlet.SLAB,
           OptionalInt.empty(),
+          Approach.CORRECTED,
           1e-3,
           200_000);
 
@@ -70,6 +73,7 @@ public record FlowOptions(
     Objects.requireNonNull(collision, "collision");
     Objects.requireNonNull(sides, "sides");
     Objects.requireNonNull(inlet, "inlet");
+    Objects.requireNonNull(approach, "approach");
     if (relaxationTime.isPresent()) {
       collision.at(relaxationTime.getAsDouble());
     }
@@ -96,6 +100,7 @@ public record FlowOptions(
         sides,
         inlet,
         inletLayers,
+        approach,
         tolerance,
         maxSteps);
   }
@@ -103,13 +108,31 @@ public record FlowOptions(
   /** A copy with another lattice. */
   public FlowOptions withVelocitySet(VelocitySet set) {
     return new FlowOptions(
-        axis, set, collision, relaxationTime, sides, inlet, inletLayers, tolerance, maxSteps);
+        axis,
+        set,
+        collision,
+        relaxationTime,
+        sides,
+        inlet,
+        inletLayers,
+        approach,
+        tolerance,
+        maxSteps);
   }
 
   /** A copy with another collision. */
   public FlowOptions withCollision(CollisionModel model) {
     return new FlowOptions(
-        axis, velocitySet, model, relaxationTime, sides, inlet, inletLayers, tolerance, maxSteps);
+        axis,
+        velocitySet,
+        model,
+        relaxationTime,
+        sides,
+        inlet,
+        inletLayers,
+        approach,
+        tolerance,
+        maxSteps);
   }
 
   /** A copy with a given relaxation time. */
@@ -122,6 +145,7 @@ public record FlowOptions(
         sides,
         inlet,
         inletLayers,
+        approach,
         tolerance,
         maxSteps);
   }
@@ -136,6 +160,7 @@ public record FlowOptions(
         atSides,
         atEnds,
         inletLayers,
+        approach,
         tolerance,
         maxSteps);
   }
@@ -150,6 +175,22 @@ public record FlowOptions(
         sides,
         inlet,
         OptionalInt.of(layers),
+        approach,
+        tolerance,
+        maxSteps);
+  }
+
+  /** A copy with another way to the steady state. */
+  public FlowOptions withApproach(Approach way) {
+    return new FlowOptions(
+        axis,
+        velocitySet,
+        collision,
+        relaxationTime,
+        sides,
+        inlet,
+        inletLayers,
+        way,
         tolerance,
         maxSteps);
   }
@@ -164,6 +205,7 @@ public record FlowOptions(
         sides,
         inlet,
         inletLayers,
+        approach,
         relativeError,
         maxSteps);
   }
@@ -171,6 +213,15 @@ public record FlowOptions(
   /** A copy with another limit of steps. */
   public FlowOptions withMaxSteps(long steps) {
     return new FlowOptions(
-        axis, velocitySet, collision, relaxationTime, sides, inlet, inletLayers, tolerance, steps);
+        axis,
+        velocitySet,
+        collision,
+        relaxationTime,
+        sides,
+        inlet,
+        inletLayers,
+        approach,
+        tolerance,
+        steps);
   }
 }

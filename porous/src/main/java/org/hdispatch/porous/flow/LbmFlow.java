@@ -1,16 +1,7 @@
 package org.hdispatch.porous.flow;
 
 import java.util.Objects;
-import java.util.Optional;
 import org.hdispatch.dispatch.Dispatcher;
-import org.hdispatch.dispatch.TimeLoop;
-import org.hdispatch.lbm.BodyForce;
-import org.hdispatch.lbm.Equilibrium;
-import org.hdispatch.lbm.LbmScheme;
-import org.hdispatch.lbm.LbmSchemeBuilder;
-import org.hdispatch.lbm.VelocitySet;
-import org.hdispatch.porous.darcy.Darcy;
-import org.hdispatch.porous.image.Axis;
 import org.hdispatch.porous.pore.Percolation;
 import org.hdispatch.porous.pore.PoreSpace;
 
@@ -22,15 +13,6 @@ import org.hdispatch.porous.pore.PoreSpace;
  * when the estimated relative error of k is below the tolerance twice running.
  */
 public final class LbmFlow {
-  /** Steps between measurements. */
-  private static final int INTERVAL = 50;
-
-  /** Measurements before what is counted "per step" is counted. */
-  private static final int WARM_UP_INTERVALS = 4;
-
-  /** Mean pore velocity aimed at, voxels per step; k does not depend on it. */
-  private static final double PORE_VELOCITY = 1e-3;
-
   private LbmFlow() {}
 
   /**
@@ -57,7 +39,7 @@ public final class LbmFlow {
       return SteadyFlow.none(options, space.porosity(), percolation);
     }
     FlowDomain domain = new FlowDomain(percolation.connected(), options);
-    return new Run(dispatcher, space.porosity(), options, percolation, domain, listener)
+    return new SteadyRun(dispatcher, space.porosity(), options, percolation, domain, listener)
         .toSteadyState();
   }
 
@@ -90,7 +72,7 @@ public final class LbmFlow {
       return SteadyFlow.none(options, solid.porosity(), percolation);
     }
     FlowDomain domain = new FlowDomain(percolation.connected(), solid, options);
-    return new Run(dispatcher, solid.porosity(), options, percolation, domain, listener)
+    return new SteadyRun(dispatcher, solid.porosity(), options, percolation, domain, listener)
         .toSteadyState();
   }
 
@@ -124,134 +106,5 @@ public final class LbmFlow {
     long perNode = 3L * velocities * Double.BYTES / 2;
     long perVoxel = 2 * Integer.BYTES + 2 + 4 * Float.BYTES;
     return (space.poreVoxels() + slabs) * perNode + (space.voxels() + slabs) * perVoxel;
-  }
-
-  /** One computation. */
-  private static final class Run {
-    private final double porosity;
-    private final FlowOptions options;
-    private final Percolation percolation;
-    private final FlowDomain domain;
-    private final FlowListener listener;
-    private final double relaxationTime;
-    private final double force;
-    private final LbmScheme scheme;
-    private final TimeLoop loop;
-    private final SectionFlux flux;
-    private final ErrorOfSteadyState error = new ErrorOfSteadyState();
-    private double permeability;
-    private double warmUpSeconds;
-
-    Run(
-        Dispatcher dispatcher,
-        double porosity,
-        FlowOptions options,
-        Percolation percolation,
-        FlowDomain domain,
-        FlowListener listener) {
-      this.porosity = porosity;
-      this.options = options;
-      this.percolation = percolation;
-      this.domain = domain;
-      this.listener = listener;
-      relaxationTime = RelaxationChoice.choose(options, domain);
-      var relaxation = options.collision().at(relaxationTime);
-      force =
-          PORE_VELOCITY
-              * domain.rock().porosity()
-              * relaxation.viscosity()
-              / domain.guessedPermeability();
-      LbmSchemeBuilder builder =
-          LbmScheme.on(domain.lattice())
-              .velocitySet(options.velocitySet())
-              .relaxation(relaxation)
-              .equilibrium(Equilibrium.LINEAR)
-              .force(along(options.axis(), force));
-      domain.bodies().ifPresent(builder::immersion);
-      scheme = builder.build();
-      loop = dispatcher.loop(scheme);
-      flux = new SectionFlux(dispatcher, domain, scheme);
-    }
-
-    private static BodyForce along(Axis axis, double force) {
-      return new BodyForce(
-          axis == Axis.X ? force : 0, axis == Axis.Y ? force : 0, axis == Axis.Z ? force : 0);
-    }
-
-    SteadyFlow toSteadyState() {
-      listener.started(new FlowListener.Start(scheme.nodes(), relaxationTime));
-      long warmUpSteps = 0;
-      boolean below = false;
-      boolean converged = false;
-      for (int interval = 1; !converged && steps() < options.maxSteps(); interval++) {
-        loop.run(Math.min(INTERVAL, options.maxSteps() - steps()));
-        measure();
-        boolean belowAgain = error.estimate() <= options.tolerance();
-        converged = below && belowAgain;
-        below = belowAgain;
-        if (interval == WARM_UP_INTERVALS && !converged) {
-          warmUpSteps = steps();
-          warmUpSeconds = loop.stats().nanos() * 1e-9;
-          loop.resetStats();
-          listener.warmedUp();
-        }
-      }
-      listener.stepped();
-      return new SteadyFlow(
-          options,
-          porosity,
-          domain.connectedPorosity(),
-          percolation,
-          permeability,
-          error.estimate(),
-          error.lastChange(),
-          converged,
-          flux.highestSpeed() / Math.sqrt(VelocitySet.SOUND_SPEED_SQUARED),
-          new SteadyFlow.Chosen(domain.hydraulicDiameter(), relaxationTime, domain.layers()),
-          new SteadyFlow.Work(scheme.nodes(), steps(), seconds(), warmUpSteps, loop.stats()),
-          Optional.of(FlowField.of(domain, scheme, force, drive())));
-    }
-
-    /** Pressure drop over the rock per length and density, nu q / k. */
-    private double drive() {
-      return scheme.relaxation().viscosity() * flux.superficialVelocity() / permeability;
-    }
-
-    private long steps() {
-      return loop.tick().step();
-    }
-
-    private double seconds() {
-      return warmUpSeconds + loop.stats().nanos() * 1e-9;
-    }
-
-    private void measure() {
-      flux.measure();
-      permeability =
-          Darcy.permeability(
-              scheme.relaxation().viscosity(),
-              flux.superficialVelocity(),
-              force,
-              domain.length(),
-              domain.layers(),
-              domain.slabPermeability());
-      if (!Double.isFinite(permeability)) {
-        throw new DivergedException(steps(), relaxationTime);
-      }
-      error.add(
-          permeability,
-          flux.imbalance(),
-          RelaxationChoice.momentumLeft(
-              domain.hydraulicDiameter(), scheme.relaxation().viscosity(), steps()));
-      listener.progressed(
-          new FlowListener.Progress(
-              steps(),
-              options.maxSteps(),
-              permeability,
-              error.estimate(),
-              options.tolerance(),
-              seconds(),
-              scheme.nodes() * (double) steps() / seconds() * 1e-6));
-    }
   }
 }

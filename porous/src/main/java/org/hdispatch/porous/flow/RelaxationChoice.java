@@ -24,6 +24,13 @@ final class RelaxationChoice {
   /** BGK permeabilities drift with tau: 1 is what codes that use it use. */
   private static final double BGK = 1;
 
+  /** With the pressure corrected, momentum is all that takes its time: so many steps, t_m. */
+  private static final double MOMENTUM_STEPS = 25;
+
+  private static final double LEAST_CORRECTED = 3;
+  private static final int LEAST_STEPS = 20;
+  private static final int MOST_STEPS = 1000;
+
   /** Where immersed boundaries lie where they should: see {@code ImmersedBodies}. */
   private static final double IMMERSED = 0.6;
 
@@ -50,6 +57,10 @@ final class RelaxationChoice {
       return BGK;
     }
     double radius = domain.hydraulicDiameter() / 2;
+    if (options.approach() == Approach.CORRECTED) {
+      double viscosity = radius * radius / (BESSEL_ZERO_SQUARED * MOMENTUM_STEPS);
+      return Math.max(LEAST_CORRECTED, Math.min(MOST, Relaxation.relaxationTime(viscosity)));
+    }
     double length = domain.length() + 2.0 * domain.layers();
     double viscosity =
         radius
@@ -59,5 +70,16 @@ final class RelaxationChoice {
                 domain.guessedPermeability()
                     / (3 * BESSEL_ZERO_SQUARED * domain.rock().porosity()));
     return Math.max(LEAST, Math.min(MOST, Relaxation.relaxationTime(viscosity)));
+  }
+
+  /**
+   * Steps after which a correction has shown what it is worth: momentum follows it, and what it has
+   * stirred up at large tau has come to rest.
+   */
+  static int stepsBetweenCorrections(FlowDomain domain, Relaxation relaxation) {
+    double radius = domain.hydraulicDiameter() / 2;
+    double momentum = radius * radius / (BESSEL_ZERO_SQUARED * relaxation.viscosity());
+    double stirred = 20.0 / 3 * Relaxation.relaxationTime(relaxation.viscosity());
+    return (int) Math.max(LEAST_STEPS, Math.min(MOST_STEPS, Math.max(momentum / 2, stirred)));
   }
 }

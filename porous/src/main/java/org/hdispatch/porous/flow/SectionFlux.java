@@ -61,6 +61,11 @@ final class SectionFlux {
     return mean() / domain.crossSection();
   }
 
+  /** Mean flux through a section, voxels³ per step. */
+  double section() {
+    return mean();
+  }
+
   private double mean() {
     double sum = 0;
     for (double section : flux) {
@@ -114,7 +119,7 @@ final class SectionFlux {
     void sum(LbmScheme.Scratch scratch) {
       Arrays.fill(sums, 0);
       highestSquare = 0;
-      domain.forEachFlux(flow, bundle, scratch, add);
+      flow.forEachFlux(bundle, scratch, add);
     }
 
     private void add(int x, int y, int z, double density, double ux, double uy, double uz) {

@@ -16,10 +16,13 @@ import org.hdispatch.porous.pore.PoreSpace;
  * @param permeability k, voxel²; 0 if nothing spans
  * @param errorEstimate estimated relative error of k; 0 if nothing spans
  * @param changeAtStop relative change of k over the last interval between measurements
+ * @param fluxImbalance how far the flux through a section of the rock is at most from the mean,
+ *     relative to it; 0 if nothing spans
  * @param converged whether the estimate came below the tolerance; true if nothing spans
  * @param mach highest speed over the speed of sound; 0 if nothing spans
  * @param chosen what was chosen from the pore space
  * @param work what it took
+ * @param corrections of the pressure; empty with {@link Approach#PLAIN}, or if nothing spans
  * @param field velocity and pressure; empty if nothing spans
  */
 public record SteadyFlow(
@@ -30,10 +33,12 @@ public record SteadyFlow(
     double permeability,
     double errorEstimate,
     double changeAtStop,
+    double fluxImbalance,
     boolean converged,
     double mach,
     Chosen chosen,
     Work work,
+    Optional<Corrections> corrections,
     Optional<FlowField> field) {
 
   /**
@@ -64,6 +69,15 @@ public record SteadyFlow(
     }
   }
 
+  /**
+   * How the pressure was found.
+   *
+   * @param count corrections after the start
+   * @param helpful whether they helped; if not, they were given up
+   * @param seconds wall time of all that has to do with pressure: setting up, start, corrections, s
+   */
+  public record Corrections(int count, boolean helpful, double seconds) {}
+
   /** The outcome where no cluster spans: k = 0, without a step. */
   static SteadyFlow none(FlowOptions options, double porosity, Percolation percolation) {
     return new SteadyFlow(
@@ -74,10 +88,12 @@ public record SteadyFlow(
         0,
         0,
         0,
+        0,
         true,
         0,
         new Chosen(Double.NaN, Double.NaN, 0),
         new Work(0, 0, 0, 0, new LoopStats(0, 0, List.of())),
+        Optional.empty(),
         Optional.empty());
   }
 

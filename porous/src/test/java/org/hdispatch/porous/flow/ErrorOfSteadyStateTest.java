@@ -9,7 +9,7 @@ import org.junit.jupiter.api.Test;
 class ErrorOfSteadyStateTest {
   @Test
   void knowsNothingBeforeNineSamples() {
-    ErrorOfSteadyState error = new ErrorOfSteadyState();
+    ErrorOfSteadyState error = ErrorOfSteadyState.wherePlain();
     assertEquals(Double.POSITIVE_INFINITY, error.lastChange());
     for (int n = 0; n < 8; n++) {
       error.add(1 + Math.pow(0.1, n), 0, 0);
@@ -29,7 +29,7 @@ class ErrorOfSteadyStateTest {
 
   @Test
   void isNotFarAboveTheTrueErrorOfOneDecay() {
-    ErrorOfSteadyState error = new ErrorOfSteadyState();
+    ErrorOfSteadyState error = ErrorOfSteadyState.wherePlain();
     double truth = 0;
     for (int n = 0; n < 200; n++) {
       truth = 0.7 * Math.exp(-0.05 * n);
@@ -50,7 +50,7 @@ class ErrorOfSteadyStateTest {
 
   @Test
   void isInfiniteWhileTheChangesGrow() {
-    ErrorOfSteadyState error = new ErrorOfSteadyState();
+    ErrorOfSteadyState error = ErrorOfSteadyState.wherePlain();
     for (int n = 0; n < 50; n++) {
       error.add(Math.exp(0.1 * n), 0, 0);
     }
@@ -59,7 +59,7 @@ class ErrorOfSteadyStateTest {
 
   @Test
   void isNeverBelowTheImbalanceOfTheFluxes() {
-    ErrorOfSteadyState error = new ErrorOfSteadyState();
+    ErrorOfSteadyState error = ErrorOfSteadyState.wherePlain();
     for (int n = 0; n < 50; n++) {
       error.add(1, 0.03, 0);
     }
@@ -69,7 +69,7 @@ class ErrorOfSteadyStateTest {
 
   @Test
   void isNeverBelowWhatMomentumLeaves() {
-    ErrorOfSteadyState error = new ErrorOfSteadyState();
+    ErrorOfSteadyState error = ErrorOfSteadyState.wherePlain();
     for (int n = 0; n < 50; n++) {
       error.add(1, 0, 0.2);
     }
@@ -82,7 +82,7 @@ class ErrorOfSteadyStateTest {
   }
 
   private static void assertBounds(IntToDoubleFunction k, double limit, int samples, int from) {
-    ErrorOfSteadyState error = new ErrorOfSteadyState();
+    ErrorOfSteadyState error = ErrorOfSteadyState.wherePlain();
     for (int n = 0; n < samples; n++) {
       double value = k.applyAsDouble(n);
       error.add(value, 0, 0);

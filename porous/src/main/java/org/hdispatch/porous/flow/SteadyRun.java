@@ -1,0 +1,195 @@
+package org.hdispatch.porous.flow;
+
+import java.util.Optional;
+import org.hdispatch.dispatch.Dispatcher;
+import org.hdispatch.dispatch.TimeLoop;
+import org.hdispatch.lbm.BodyForce;
+import org.hdispatch.lbm.Equilibrium;
+import org.hdispatch.lbm.LbmScheme;
+import org.hdispatch.lbm.LbmSchemeBuilder;
+import org.hdispatch.lbm.VelocitySet;
+import org.hdispatch.porous.darcy.Darcy;
+import org.hdispatch.porous.image.Axis;
+import org.hdispatch.porous.pore.Percolation;
+
+/** One computation of a steady flow. */
+final class SteadyRun {
+  /** Least number of steps before what is counted "per step" is counted. */
+  private static final int WARM_UP_STEPS = 100;
+
+  /** Corrections before a single estimate below the tolerance is believed. */
+  private static final int LEAST_CORRECTIONS = 3;
+
+  /** Mean pore velocity aimed at, voxels per step; k does not depend on it. */
+  private static final double PORE_VELOCITY = 1e-3;
+
+  /** Steps over which the gain of mass is measured: even, so that what alternates is gone. */
+  private static final int GAIN_STEPS = 2;
+
+  /** Steps between measurements without corrections. */
+  private static final int PLAIN_INTERVAL = 50;
+
+  private final double porosity;
+  private final FlowOptions options;
+  private final Percolation percolation;
+  private final FlowDomain domain;
+  private final FlowListener listener;
+  private final double relaxationTime;
+  private final int interval;
+  private final double force;
+  private final LbmScheme scheme;
+  private final TimeLoop loop;
+  private final SectionFlux flux;
+  private final Optional<PressureSolver> pressure;
+  private final ErrorOfSteadyState error;
+  private double permeability;
+  private double warmUpSeconds;
+  private long pressureNanos;
+  private int corrections;
+
+  SteadyRun(
+      Dispatcher dispatcher,
+      double porosity,
+      FlowOptions options,
+      Percolation percolation,
+      FlowDomain domain,
+      FlowListener listener) {
+    this.porosity = porosity;
+    this.options = options;
+    this.percolation = percolation;
+    this.domain = domain;
+    this.listener = listener;
+    boolean corrected = options.approach() == Approach.CORRECTED && !domain.immersed();
+    relaxationTime = RelaxationChoice.choose(options, domain);
+    var relaxation = options.collision().at(relaxationTime);
+    interval =
+        corrected ? RelaxationChoice.stepsBetweenCorrections(domain, relaxation) : PLAIN_INTERVAL;
+    error = corrected ? ErrorOfSteadyState.whereCorrected() : ErrorOfSteadyState.wherePlain();
+    force =
+        PORE_VELOCITY
+            * domain.rock().porosity()
+            * relaxation.viscosity()
+            / domain.guessedPermeability();
+    LbmSchemeBuilder builder =
+        LbmScheme.on(domain.lattice())
+            .velocitySet(options.velocitySet())
+            .relaxation(relaxation)
+            .equilibrium(Equilibrium.LINEAR)
+            .force(along(options.axis(), force));
+    domain.bodies().ifPresent(builder::immersion);
+    scheme = builder.build();
+    loop = dispatcher.loop(scheme);
+    flux = new SectionFlux(dispatcher, domain, scheme);
+    long begin = System.nanoTime();
+    pressure =
+        corrected ? Optional.of(new PressureSolver(dispatcher, domain, scheme)) : Optional.empty();
+    pressureNanos = System.nanoTime() - begin;
+  }
+
+  private static BodyForce along(Axis axis, double force) {
+    return new BodyForce(
+        axis == Axis.X ? force : 0, axis == Axis.Y ? force : 0, axis == Axis.Z ? force : 0);
+  }
+
+  SteadyFlow toSteadyState() {
+    listener.started(new FlowListener.Start(scheme.nodes(), relaxationTime));
+    pressure.ifPresent(solver -> timed(() -> solver.start(force)));
+    long warmUpSteps = 0;
+    boolean below = false;
+    boolean converged = false;
+    while (!converged && steps() < options.maxSteps()) {
+      boolean belowAgain = advance(Math.min(interval, options.maxSteps() - steps()));
+      converged = belowAgain && (below || corrections >= LEAST_CORRECTIONS);
+      below = belowAgain;
+      if (warmUpSteps == 0 && steps() >= WARM_UP_STEPS && !converged) {
+        warmUpSteps = steps();
+        warmUpSeconds = loop.stats().nanos() * 1e-9;
+        loop.resetStats();
+        listener.warmedUp();
+      }
+    }
+    listener.stepped();
+    return new SteadyFlow(
+        options,
+        porosity,
+        domain.connectedPorosity(),
+        percolation,
+        permeability,
+        error.estimate(),
+        error.lastChange(),
+        flux.imbalance(),
+        converged,
+        flux.highestSpeed() / Math.sqrt(VelocitySet.SOUND_SPEED_SQUARED),
+        new SteadyFlow.Chosen(domain.hydraulicDiameter(), relaxationTime, domain.layers()),
+        new SteadyFlow.Work(scheme.nodes(), steps(), seconds(), warmUpSteps, loop.stats()),
+        pressure.map(
+            solver ->
+                new SteadyFlow.Corrections(corrections, solver.helpful(), pressureNanos * 1e-9)),
+        Optional.of(FlowField.of(domain, scheme, force, drive())));
+  }
+
+  /** Steps, measures, and corrects the pressure where that helps and more steps follow. */
+  private boolean advance(long steps) {
+    boolean correct = pressure.isPresent() && pressure.get().helpful() && steps > GAIN_STEPS;
+    loop.run(correct ? steps - GAIN_STEPS : steps);
+    if (correct) {
+      timed(pressure.get()::noteDensity);
+      loop.run(GAIN_STEPS);
+    }
+    measure();
+    boolean belowAgain = error.estimate() <= options.tolerance();
+    if (correct && !belowAgain) {
+      timed(() -> pressure.get().correct(GAIN_STEPS, flux.section()));
+      corrections++;
+    }
+    return belowAgain;
+  }
+
+  private void timed(Runnable work) {
+    long begin = System.nanoTime();
+    work.run();
+    pressureNanos += System.nanoTime() - begin;
+  }
+
+  /** Pressure drop over the rock per length and density, nu q / k. */
+  private double drive() {
+    return scheme.relaxation().viscosity() * flux.superficialVelocity() / permeability;
+  }
+
+  private long steps() {
+    return loop.tick().step();
+  }
+
+  private double seconds() {
+    return warmUpSeconds + loop.stats().nanos() * 1e-9;
+  }
+
+  private void measure() {
+    flux.measure();
+    permeability =
+        Darcy.permeability(
+            scheme.relaxation().viscosity(),
+            flux.superficialVelocity(),
+            force,
+            domain.length(),
+            domain.layers(),
+            domain.slabPermeability());
+    if (!Double.isFinite(permeability)) {
+      throw new DivergedException(steps(), relaxationTime);
+    }
+    error.add(
+        permeability,
+        flux.imbalance(),
+        RelaxationChoice.momentumLeft(
+            domain.hydraulicDiameter(), scheme.relaxation().viscosity(), steps()));
+    listener.progressed(
+        new FlowListener.Progress(
+            steps(),
+            options.maxSteps(),
+            permeability,
+            error.estimate(),
+            options.tolerance(),
+            seconds(),
+            scheme.nodes() * (double) steps() / seconds() * 1e-6));
+  }
+}
