@@ -4,7 +4,7 @@ import org.hdispatch.cell.Ends;
 
 /**
  * A box of nodes, some of them solid. Half-way bounce-back walls stand between fluid and solid
- * nodes, and at those ends of the box that are not periodic.
+ * nodes, and at those ends of the box that are not periodic and to which the scheme gives no faces.
  *
  * <p>A diagonal link is open only if its two nodes also connect face by face, through fluid nodes,
  * within the small box that the link spans: fluid does not slip through the corner where two solid
@@ -13,9 +13,9 @@ import org.hdispatch.cell.Ends;
  * @param nx nodes along x
  * @param ny nodes along y
  * @param nz nodes along z
- * @param x ends along x: {@code OPEN} is a wall
- * @param y ends along y: {@code OPEN} is a wall
- * @param z ends along z: {@code OPEN} is a wall
+ * @param x ends along x: {@code OPEN} is a wall or a face
+ * @param y ends along y: {@code OPEN} is a wall or a face
+ * @param z ends along z: {@code OPEN} is a wall or a face
  * @param nodes which nodes are fluid
  */
 public record Lattice(int nx, int ny, int nz, Ends x, Ends y, Ends z, NodeMap nodes) {

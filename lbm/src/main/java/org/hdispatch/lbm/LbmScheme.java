@@ -11,7 +11,8 @@ import org.hdispatch.dispatch.Scheme;
 import org.hdispatch.dispatch.Tick;
 
 /**
- * The lattice Boltzmann method as a scheme: one pass, "stream-collide", over nodal bundles.
+ * The lattice Boltzmann method as a scheme: one pass, "stream-collide", over nodal bundles; before
+ * it "faces", if there are any.
  *
  * <p>A new scheme is at rest: density 1, velocity 0. Every bit of the result is the same for any
  * number of workers, bundle size, {@link Streaming} and {@link KernelForm}. After a step that
@@ -27,6 +28,7 @@ public final class LbmScheme implements Scheme<NodalBundle, LbmScheme.Scratch> {
   private final CollisionCoefficients coefficients;
   private final CollisionKernels kernels;
   private final CellMap<NodalBundle> bundles;
+  private final Faces faces;
   private final long nodes;
   private final Scratch scratch; // the caller's, between steps
   private final Phase phase;
@@ -41,7 +43,14 @@ public final class LbmScheme implements Scheme<NodalBundle, LbmScheme.Scratch> {
     kernels = builder.form.kernels();
     immersion = builder.immersion;
     coefficients = new Collision(set, relaxation, builder.equilibrium, force).coefficients();
+    faces =
+        new Faces(
+            builder.lattice, set, builder.equilibrium, builder.symmetric, builder.pressureAxis);
+    faces.densities(builder.firstDensity, builder.lastDensity);
     bundles = BundleMap.of(builder.lattice, set, builder.bundleSize(), storage, builder.streaming);
+    if (faces.any()) {
+      faces.link(builder.lattice, builder.bundleSize(), bundles);
+    }
     long sum = 0;
     for (int n = 0; n < bundles.size(); n++) {
       sum += bundles.cellAt(n).nodes();
@@ -140,7 +149,10 @@ public final class LbmScheme implements Scheme<NodalBundle, LbmScheme.Scratch> {
 
   @Override
   public List<Pass<NodalBundle, Scratch>> passes() {
-    return List.of(new Pass<>("stream-collide", this::streamCollide));
+    Pass<NodalBundle, Scratch> streamCollide = new Pass<>("stream-collide", this::streamCollide);
+    return faces.any()
+        ? List.of(new Pass<>("faces", this::exchange), streamCollide)
+        : List.of(streamCollide);
   }
 
   /** What a worker needs to step: a kernel, and the rows of one chunk of nodes. */
@@ -164,6 +176,10 @@ public final class LbmScheme implements Scheme<NodalBundle, LbmScheme.Scratch> {
       chunk = ChunkRows.of(storage, velocities);
       arriving = ChunkRows.of(storage, velocities);
     }
+  }
+
+  private void exchange(NodalBundle bundle, Scratch scratch, Tick tick) {
+    bundle.faceLinks().exchange(phase.previous());
   }
 
   private void streamCollide(NodalBundle bundle, Scratch scratch, Tick tick) {
@@ -313,7 +329,7 @@ public final class LbmScheme implements Scheme<NodalBundle, LbmScheme.Scratch> {
     return nodes;
   }
 
-  /** Bytes held for the nodes: populations, streaming plans, places. */
+  /** Bytes held for the nodes: populations, streaming plans, links through faces, places. */
   public long bytes() {
     long sum = 0;
     for (int n = 0; n < bundles.size(); n++) {
@@ -335,6 +351,19 @@ public final class LbmScheme implements Scheme<NodalBundle, LbmScheme.Scratch> {
   /** The body force of the next step. */
   public BodyForce force() {
     return force;
+  }
+
+  /**
+   * Changes the densities at the pressure faces, between two steps; allocates nothing.
+   *
+   * @throws IllegalArgumentException if one is not a positive number
+   * @throws IllegalStateException if there are no pressure faces
+   */
+  public void pressureFaces(double first, double last) {
+    if (faces.pressureAxis() < 0) {
+      throw new IllegalStateException("scheme must have pressure faces");
+    }
+    faces.densities(first, last);
   }
 
   /** Changes the body force, between two steps; allocates nothing. */

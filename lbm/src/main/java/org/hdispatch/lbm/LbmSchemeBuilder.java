@@ -15,6 +15,10 @@ public final class LbmSchemeBuilder {
   Storage storage = Storage.DOUBLE;
   KernelForm form = KernelForm.fastest();
   Immersion immersion;
+  final boolean[] symmetric = new boolean[3];
+  int pressureAxis = -1;
+  double firstDensity = 1;
+  double lastDensity = 1;
 
   LbmSchemeBuilder(Lattice lattice) {
     this.lattice = Objects.requireNonNull(lattice, "lattice");
@@ -79,6 +83,41 @@ public final class LbmSchemeBuilder {
   /** Sets what lies in the flow. Default: nothing. */
   public LbmSchemeBuilder immersion(Immersion bodies) {
     immersion = Objects.requireNonNull(bodies, "bodies");
+    return this;
+  }
+
+  /**
+   * Puts a symmetry face at both ends of an axis in place of a wall, half a spacing outside the
+   * last nodes: as if the mirror image of lattice, force and flow lay beyond it. Fluid slips along
+   * it. The axis must have {@code OPEN} ends.
+   *
+   * @param axis 0, 1 or 2
+   * @throws IndexOutOfBoundsException if there is no such axis
+   * @throws IllegalArgumentException from {@link #build} if its ends are periodic
+   */
+  public LbmSchemeBuilder symmetryFaces(int axis) {
+    symmetric[Objects.checkIndex(axis, symmetric.length)] = true;
+    return this;
+  }
+
+  /**
+   * Opens both ends of an axis to a plenum of given density, so of given pressure rho/3: a face in
+   * place of a wall, half a spacing outside the last nodes, where the density is that of the plenum
+   * and fluid passes at right angles. It is as if the mirror image of the lattice lay beyond, with
+   * the same flow through it and the pressure falling on. The axis must have {@code OPEN} ends, the
+   * equilibrium must be linear. A body force may act as well.
+   *
+   * @param axis 0, 1 or 2; the last one told counts
+   * @param first density before the first nodes
+   * @param last density behind the last nodes
+   * @throws IndexOutOfBoundsException if there is no such axis
+   * @throws IllegalArgumentException from {@link #build} if its ends are periodic, a density is not
+   *     positive, or the equilibrium not linear
+   */
+  public LbmSchemeBuilder pressureFaces(int axis, double first, double last) {
+    pressureAxis = Objects.checkIndex(axis, symmetric.length);
+    firstDensity = first;
+    lastDensity = last;
     return this;
   }
 

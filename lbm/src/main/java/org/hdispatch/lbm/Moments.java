@@ -138,6 +138,7 @@ final class Moments {
       scratch.chunk.widen(cursor.nodes());
       cursor.read(phase.previous(), phase.readsNeighbours(), scratch.arriving);
       scratch.arriving.widen(cursor.nodes());
+      bundle.faceLinks().arrive(phase.previous(), cursor, scratch.arriving.wide);
       for (int k = 0; k < cursor.nodes(); k++) {
         flux(bundle, cursor.node(k), scratch, k, visitor);
       }

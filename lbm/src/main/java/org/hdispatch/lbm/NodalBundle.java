@@ -19,6 +19,7 @@ public final class NodalBundle {
   private final NodeRuns runs;
   private final Populations[] populations;
   private StreamPlan plan;
+  private FaceLinks faceLinks = FaceLinks.NONE;
 
   /** Makes a bundle with all populations at rest. */
   NodalBundle(
@@ -44,6 +45,14 @@ public final class NodalBundle {
 
   void link(StreamPlan streamPlan) {
     plan = streamPlan;
+  }
+
+  void link(FaceLinks links) {
+    faceLinks = links;
+  }
+
+  FaceLinks faceLinks() {
+    return faceLinks;
   }
 
   StreamPlan plan() {
@@ -100,9 +109,9 @@ public final class NodalBundle {
     return z0 + position / (nx * ny);
   }
 
-  /** Bytes held: populations, streaming plan, places of the nodes. */
+  /** Bytes held: populations, streaming plan, links through faces, places of the nodes. */
   public long bytes() {
-    long bytes = plan.bytes() + runs.bytes();
+    long bytes = plan.bytes() + faceLinks.bytes() + runs.bytes();
     for (Populations copy : populations) {
       bytes += copy.bytes();
     }

@@ -54,10 +54,24 @@ final class Surroundings {
     return distance(x + 1, y + 1, z + 1);
   }
 
+  /** Place of a node of the bundle looked at, by its coordinates in the lattice. */
+  int placeIn(NodalBundle bundle, int x, int y, int z) {
+    long key = bundle.key();
+    return place(
+        x - CellKey.i(key) * size.nx(),
+        y - CellKey.j(key) * size.ny(),
+        z - CellKey.k(key) * size.nz());
+  }
+
   /** Address of a slot of the fluid node at a place. */
   int slot(int place, int i) {
     NodalBundle from = sources[nodes[place] >>> StreamPlan.INDEX_BITS];
     return nodes[place] + from.populations(0).index(i, 0);
+  }
+
+  /** The bundle that an address speaks of. */
+  NodalBundle source(int address) {
+    return sources[address >>> StreamPlan.INDEX_BITS];
   }
 
   /** The bundles that addresses speak of; that whose surroundings these are first. */
