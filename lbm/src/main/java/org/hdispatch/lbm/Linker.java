@@ -11,8 +11,10 @@ final class Linker {
   private final VelocitySet set;
   private final BundleSize size;
   private final Surroundings surroundings;
+  private final int[] places; // per node: where it lies in the surroundings
   private final int[][] address; // per velocity and node
   private final long[] others = new long[ChunkRows.NODES]; // links of a batch that lead elsewhere
+  private final boolean[] breaks; // per node: whether its slots do not follow those before
   private int[] code = new int[1024];
   private int codeLength;
   private char[] links = new char[1024];
@@ -22,14 +24,22 @@ final class Linker {
     this.set = set;
     this.size = size;
     surroundings = new Surroundings(lattice, size, bundles);
+    places = new int[size.nodes()];
     address = new int[set.size()][size.nodes()];
+    Arrays.setAll(address[0], node -> node);
+    breaks = new boolean[size.nodes()];
   }
 
   StreamPlan plan(NodalBundle bundle) {
     codeLength = 0;
     linkCount = 0;
     surroundings.look(bundle);
-    findAddresses(bundle);
+    findPlaces(bundle);
+    Arrays.fill(breaks, 0, bundle.nodes(), false);
+    for (int i = 1; i < address.length; i++) {
+      surroundings.findAddresses(set, i, places, bundle.nodes(), address[i]);
+      findBreaks(address[i], bundle.nodes());
+    }
     int segments = writeSegments(bundle.nodes());
     int firstBatch = codeLength;
     int batches = writeBatches(bundle.nodes());
@@ -43,43 +53,28 @@ final class Linker {
         Arrays.copyOf(links, linkCount));
   }
 
-  private void findAddresses(NodalBundle bundle) {
-    Populations own = bundle.populations(0);
+  private void findPlaces(NodalBundle bundle) {
+    bundle.runs().positions(places);
     for (int node = 0; node < bundle.nodes(); node++) {
-      int position = bundle.runs().position(node);
-      int x = position % size.nx();
-      int y = position / size.nx() % size.ny();
-      int z = position / (size.nx() * size.ny());
-      int here = surroundings.place(x, y, z);
-      address[0][node] = node;
-      for (int i = 1; i < address.length; i++) {
-        int back = set.opposite(i);
-        if (surroundings.open(here, set.cx(back), set.cy(back), set.cz(back))) {
-          int there = here + surroundings.distance(set.cx(back), set.cy(back), set.cz(back));
-          address[i][node] = surroundings.slot(there, back);
-        } else {
-          address[i][node] = own.index(i, node);
-        }
-      }
+      int position = places[node];
+      int row = position / size.nx();
+      places[node] = surroundings.place(position % size.nx(), row % size.ny(), row / size.ny());
+    }
+  }
+
+  private void findBreaks(int[] row, int nodes) {
+    for (int node = 1; node < nodes; node++) {
+      breaks[node] |= row[node] != row[node - 1] + 1;
     }
   }
 
   /** End of the segment that begins at a node. */
   private int segmentEnd(int first, int nodes) {
     int end = first + 1;
-    while (end < nodes && continues(end)) {
+    while (end < nodes && !breaks[end]) {
       end++;
     }
     return end;
-  }
-
-  private boolean continues(int node) {
-    for (int[] row : address) {
-      if (row[node] != row[node - 1] + 1) {
-        return false;
-      }
-    }
-    return true;
   }
 
   private int writeSegments(int nodes) {

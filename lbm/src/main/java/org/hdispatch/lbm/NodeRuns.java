@@ -42,6 +42,36 @@ final class NodeRuns {
     return firstPosition[run] + node - firstNode[run];
   }
 
+  /** Writes the positions of all nodes, in order. */
+  void positions(int[] to) {
+    for (int run = 0; run < firstNode.length; run++) {
+      int end = run + 1 < firstNode.length ? firstNode[run + 1] : nodes;
+      for (int node = firstNode[run]; node < end; node++) {
+        to[node] = firstPosition[run] + node - firstNode[run];
+      }
+    }
+  }
+
+  /**
+   * Writes which nodes lie at n positions from one on, or {@code none}.
+   *
+   * @param to where they are written, from index {@code at} on
+   */
+  void nodesAt(int position, int n, int none, int[] to, int at) {
+    Arrays.fill(to, at, at + n, none);
+    int found = Arrays.binarySearch(firstPosition, position);
+    for (int run = Math.max(found >= 0 ? found : -found - 2, 0); run < firstNode.length; run++) {
+      int first = firstPosition[run] - position; // of the run, counted from the first position
+      if (first >= n) {
+        return;
+      }
+      int length = (run + 1 < firstNode.length ? firstNode[run + 1] : nodes) - firstNode[run];
+      for (int k = Math.max(first, 0); k < Math.min(first + length, n); k++) {
+        to[at + k] = firstNode[run] + k - first;
+      }
+    }
+  }
+
   long bytes() {
     return 2L * firstNode.length * Integer.BYTES;
   }

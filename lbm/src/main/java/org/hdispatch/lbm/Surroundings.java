@@ -4,7 +4,6 @@ import java.util.Arrays;
 import org.hdispatch.cell.CellKey;
 import org.hdispatch.cell.CellMap;
 import org.hdispatch.cell.Ends;
-import org.hdispatch.cell.KeyOrder;
 
 /**
  * The box of one bundle and the nodes around it, one deep: where each is stored, and between which
@@ -16,32 +15,20 @@ final class Surroundings {
   private final Lattice lattice;
   private final BundleSize size;
   private final CellMap<NodalBundle> bundles;
-  private final CellMap<int[]> nodeAt; // per bundle: node of each position, or SOLID
   private final int rowLength;
   private final int layerLength;
   private final int[] nodes; // address of each node, velocity 0; or SOLID
   private final NodalBundle[] sources = new NodalBundle[27];
+  private final int[] slots = new int[27]; // per source: index of the slot of its first node
   private int sourceCount;
 
   Surroundings(Lattice lattice, BundleSize size, CellMap<NodalBundle> bundles) {
     this.lattice = lattice;
     this.size = size;
     this.bundles = bundles;
-    long[] keys = new long[bundles.size()];
-    Arrays.setAll(keys, bundles::keyAt);
-    nodeAt = CellMap.fixed(keys, KeyOrder.MORTON, key -> nodeAt(bundles.get(key)));
     rowLength = size.nx() + 2;
     layerLength = rowLength * (size.ny() + 2);
     nodes = new int[layerLength * (size.nz() + 2)];
-  }
-
-  private int[] nodeAt(NodalBundle bundle) {
-    int[] found = new int[size.nodes()];
-    Arrays.fill(found, SOLID);
-    for (int node = 0; node < bundle.nodes(); node++) {
-      found[bundle.runs().position(node)] = node;
-    }
-    return found;
   }
 
   /** Distance between places of this box. */
@@ -81,8 +68,8 @@ final class Surroundings {
 
   /** Looks at a bundle's box and around it. */
   void look(NodalBundle bundle) {
-    sources[0] = bundle;
-    sourceCount = 1;
+    sourceCount = 0;
+    sourceNumber(bundle);
     int x0 = CellKey.i(bundle.key()) * size.nx();
     int y0 = CellKey.j(bundle.key()) * size.ny();
     int z0 = CellKey.k(bundle.key()) * size.nz();
@@ -112,16 +99,16 @@ final class Surroundings {
 
   private void copy(boolean outside, int x, int y, int z, int to, int n) {
     long key = outside ? 0 : CellKey.of(x / size.nx(), y / size.ny(), z / size.nz());
-    int[] there = outside ? null : nodeAt.get(key);
+    NodalBundle there = outside ? null : bundles.get(key);
     if (there == null) {
       Arrays.fill(nodes, to, to + n, SOLID);
       return;
     }
-    int source = sourceNumber(bundles.get(key));
+    int source = StreamPlan.address(sourceNumber(there), 0);
     int from = x % size.nx() + size.nx() * (y % size.ny() + size.ny() * (z % size.nz()));
-    for (int k = 0; k < n; k++) {
-      int node = there[from + k];
-      nodes[to + k] = node == SOLID ? SOLID : StreamPlan.address(source, node);
+    there.runs().nodesAt(from, n, SOLID, nodes, to);
+    for (int k = to; k < to + n; k++) {
+      nodes[k] = nodes[k] == SOLID ? SOLID : source | nodes[k];
     }
   }
 
@@ -136,16 +123,44 @@ final class Surroundings {
   }
 
   /**
+   * Writes where what arrives at the nodes of the bundle along a velocity comes from: addresses of
+   * slots of the neighbours against it, or, behind a wall, of the nodes' own.
+   *
+   * @param i number of the velocity; not that of rest
+   * @param places of the nodes
+   * @param count how many of them there are
+   */
+  void findAddresses(VelocitySet set, int i, int[] places, int count, int[] addresses) {
+    int back = set.opposite(i);
+    int dx = set.cx(back);
+    int dy = set.cy(back);
+    int dz = set.cz(back);
+    int distance = distance(dx, dy, dz);
+    boolean face = set.axes(i).length == 1;
+    int own = sources[0].populations(0).index(i, 0);
+    for (int source = 0; source < sourceCount; source++) {
+      slots[source] = sources[source].populations(0).index(back, 0);
+    }
+    for (int node = 0; node < count; node++) {
+      int there = nodes[places[node] + distance];
+      boolean open = there != SOLID && (face || hasWay(places[node], dx, dy, dz));
+      addresses[node] = open ? there + slots[there >>> StreamPlan.INDEX_BITS] : own + node;
+    }
+  }
+
+  /**
    * Whether the fluid node at a place streams to its neighbour and back. A diagonal link is open
    * only if its two nodes also connect face by face, through fluid nodes, within the small box that
    * the link spans.
    */
   boolean open(int place, int dx, int dy, int dz) {
-    if (!fluid(place + distance(dx, dy, dz))) {
-      return false;
-    }
-    return dx * dx + dy * dy + dz * dz <= 1
-        || dx != 0 && fluid(place + dx) && open(place + dx, 0, dy, dz)
+    return fluid(place + distance(dx, dy, dz))
+        && (dx * dx + dy * dy + dz * dz <= 1 || hasWay(place, dx, dy, dz));
+  }
+
+  /** Whether a way of open links leads along a diagonal one, its first step along an axis. */
+  private boolean hasWay(int place, int dx, int dy, int dz) {
+    return dx != 0 && fluid(place + dx) && open(place + dx, 0, dy, dz)
         || dy != 0 && fluid(place + rowLength * dy) && open(place + rowLength * dy, dx, 0, dz)
         || dz != 0 && fluid(place + layerLength * dz) && open(place + layerLength * dz, dx, dy, 0);
   }

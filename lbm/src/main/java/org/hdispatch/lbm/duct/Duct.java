@@ -148,7 +148,7 @@ public record Duct(
     double inBundle = nx * Math.min(bundle.ny(), side) * Math.min(bundle.nz(), side);
     double rows = streaming.copies() * velocities * (storage.bytes() + PADDING / inBundle);
     double plan = velocities * PLAN_OF_ROW / nx;
-    double tables = nodes() * Integer.BYTES + inBundle * (velocities + 2) * Integer.BYTES;
+    double tables = inBundle * (velocities + 3) * Integer.BYTES;
     return nodes() * (rows + plan) + tables;
   }
 }
