@@ -304,11 +304,7 @@ public final class LbmScheme implements Scheme<NodalBundle, LbmScheme.Scratch> {
    * @throws IllegalStateException if something is immersed, whose state is not known here
    */
   public void save(DataOutput out) throws IOException {
-    if (immersion != null) {
-      throw new IllegalStateException(
-          "state must be of fluid alone to be saved: immersion=" + immersion);
-    }
-    savedState.write(scratch, out);
+    savedState.write(immersion, scratch, out);
   }
 
   /**

@@ -10,6 +10,9 @@ import org.hdispatch.cell.CellMap;
  * apart, then what left each node, chunk by chunk, velocity by velocity.
  */
 final class SavedState {
+  // The texts of errors stand here and not in the scheme: HotSpot makes those of a class when C2 is
+  // first asked to compile one of its methods, and the scheme's run in steps.
+
   private final VelocitySet set;
   private final CellMap<NodalBundle> bundles;
   private final Phase phase;
@@ -20,7 +23,11 @@ final class SavedState {
     this.phase = phase;
   }
 
-  void write(LbmScheme.Scratch scratch, DataOutput out) throws IOException {
+  void write(Immersion immersion, LbmScheme.Scratch scratch, DataOutput out) throws IOException {
+    if (immersion != null) {
+      throw new IllegalStateException(
+          "state must be of fluid alone to be saved: immersion=" + immersion);
+    }
     out.writeLong(fingerprint());
     for (int n = 0; n < bundles.size(); n++) {
       scratch.cursor.begin(bundles.cellAt(n).plan());

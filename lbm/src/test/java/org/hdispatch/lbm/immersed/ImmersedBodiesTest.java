@@ -5,6 +5,8 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import java.io.ByteArrayOutputStream;
+import java.io.DataOutputStream;
 import java.util.List;
 import java.util.function.Predicate;
 import org.hdispatch.cell.Ends;
@@ -421,6 +423,15 @@ class ImmersedBodiesTest {
     Sphere sphere = new Sphere(2);
     Path nowhere = (time, moved) -> moved.moveTo(time / 0, 0, 0);
     assertThrows(IllegalArgumentException.class, () -> Body.prescribed(sphere, nowhere));
+  }
+
+  @Test
+  void refusesToSaveTheFluidWithoutItsBodies() {
+    LbmScheme scheme = flow(fallingCrowd()).build();
+    ByteArrayOutputStream saved = new ByteArrayOutputStream();
+    DataOutputStream out = new DataOutputStream(saved);
+    assertThrows(IllegalStateException.class, () -> scheme.save(out));
+    assertEquals(0, saved.size());
   }
 
   @Test
