@@ -62,7 +62,7 @@ public final class LbmScheme implements Scheme<NodalBundle, LbmScheme.Scratch> {
     scratch = newScratch();
     phase = new Phase(builder.streaming);
     moments = new Moments(set, builder.equilibrium, phase);
-    savedState = new SavedState(set, bundles, phase);
+    savedState = new SavedState(builder.lattice, set, bundles, phase);
     acted = force;
     moments.rest(bundles, scratch, force);
   }
@@ -297,8 +297,9 @@ public final class LbmScheme implements Scheme<NodalBundle, LbmScheme.Scratch> {
   }
 
   /**
-   * Writes the state, from which {@link #restore} goes on with the same bits: the populations after
-   * collision, node by node in the order of {@link #forEachNode}, big-endian doubles.
+   * Writes the state, from which {@link #restore} goes on with the same bits: a number that tells
+   * what it is the state of, then the populations after collision, as big-endian doubles in an
+   * order that belongs to the nodes, the lattice and the bundles.
    *
    * @throws IOException if the stream does
    * @throws IllegalStateException if something is immersed, whose state is not known here
@@ -309,7 +310,8 @@ public final class LbmScheme implements Scheme<NodalBundle, LbmScheme.Scratch> {
 
   /**
    * Reads a state that a scheme of the same nodes, lattice and bundles has saved; streaming,
-   * storage and kernel may differ.
+   * storage and kernel may differ. It is taken for one made under the force that is set here, which
+   * counts for the velocities until the next step.
    *
    * @throws IOException if the stream does, or if it ends too early
    * @throws IllegalArgumentException if the state is of other nodes, another lattice or other

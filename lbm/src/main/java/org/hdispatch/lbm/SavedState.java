@@ -13,12 +13,14 @@ final class SavedState {
   // The texts of errors stand here and not in the scheme: HotSpot makes those of a class when C2 is
   // first asked to compile one of its methods, and the scheme's run in steps.
 
-  private final VelocitySet set;
+  private final long box; // tells lattices of other extents, ends or velocities apart
   private final CellMap<NodalBundle> bundles;
   private final Phase phase;
 
-  SavedState(VelocitySet set, CellMap<NodalBundle> bundles, Phase phase) {
-    this.set = set;
+  SavedState(Lattice lattice, VelocitySet set, CellMap<NodalBundle> bundles, Phase phase) {
+    long extents = mix(mix(mix(set.size(), lattice.nx()), lattice.ny()), lattice.nz());
+    int ends = lattice.x().ordinal() + 2 * lattice.y().ordinal() + 4 * lattice.z().ordinal();
+    box = mix(extents, ends);
     this.bundles = bundles;
     this.phase = phase;
   }
@@ -68,14 +70,19 @@ final class SavedState {
 
   /** Differs between schemes of other nodes, lattices or bundles. */
   private long fingerprint() {
-    long print = set.size();
+    long print = box;
     for (int n = 0; n < bundles.size(); n++) {
       NodalBundle bundle = bundles.cellAt(n);
-      print = 31 * print + bundle.key();
+      print = mix(print, bundle.key());
       for (int node = 0; node < bundle.nodes(); node++) {
-        print = 31 * print + bundle.runs().position(node);
+        int place = bundle.position(node); // looked up once
+        print = mix(mix(mix(print, bundle.xAt(place)), bundle.yAt(place)), bundle.zAt(place));
       }
     }
     return print;
+  }
+
+  private static long mix(long print, long number) {
+    return (print ^ number) * 0x9E3779B97F4A7C15L; // 2^64 over the golden ratio
   }
 }
