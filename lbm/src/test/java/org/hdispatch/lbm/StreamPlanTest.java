@@ -31,6 +31,25 @@ class StreamPlanTest {
     }
   }
 
+  /** With rows long enough to be segments, some of which can be joined and some of which cannot. */
+  @ParameterizedTest
+  @EnumSource(VelocitySet.class)
+  void leadsWhereTheLatticeSaysAlongRowsWithFewSolids(VelocitySet set) {
+    Random random = new Random(1412);
+    for (int trial = 0; trial < 150; trial++) {
+      Lattice lattice =
+          rubble(
+              12 + random.nextInt(40),
+              1 + random.nextInt(10),
+              1 + random.nextInt(10),
+              random,
+              1 - 0.05 * random.nextDouble());
+      BundleSize size =
+          new BundleSize(10 + random.nextInt(40), 2 + random.nextInt(9), 2 + random.nextInt(9));
+      new Labelled(lattice, set, size).check(lattice + " " + size);
+    }
+  }
+
   /** More slots of a pair and more nodes of a layer than 16 bits count. */
   @ParameterizedTest
   @EnumSource(VelocitySet.class)
