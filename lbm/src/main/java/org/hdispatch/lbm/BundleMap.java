@@ -52,7 +52,7 @@ final class BundleMap {
   }
 
   private static int pieces(int extent, int piece) {
-    return (extent + piece - 1) / piece;
+    return (extent - 1) / piece + 1;
   }
 
   private NodalBundle bundle(long key) {

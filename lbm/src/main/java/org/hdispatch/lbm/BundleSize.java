@@ -48,7 +48,10 @@ public record BundleSize(int nx, int ny, int nz) {
         Math.min(nx, lattice.nx()), Math.min(ny, lattice.ny()), Math.min(nz, lattice.nz()));
   }
 
-  /** The default size, halved where it would cut a lattice into fewer than 32 bundles. */
+  /**
+   * The default size; 32 x 16 x 16 where that would cut a lattice into fewer than 32 bundles, and
+   * 32 x 8 x 8 where this would, too.
+   */
   public static BundleSize fitting(Lattice lattice) {
     BundleSize size = DEFAULT;
     for (int halving = 0; halving < 2 && size.pieces(lattice) < FEW; halving++) {

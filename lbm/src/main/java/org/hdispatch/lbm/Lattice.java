@@ -1,5 +1,6 @@
 package org.hdispatch.lbm;
 
+import java.util.Objects;
 import org.hdispatch.cell.Ends;
 
 /**
@@ -20,7 +21,7 @@ import org.hdispatch.cell.Ends;
  */
 public record Lattice(int nx, int ny, int nz, Ends x, Ends y, Ends z, NodeMap nodes) {
   /**
-   * Checks the extents.
+   * Checks the extents, and that nothing is missing.
    *
    * @throws IllegalArgumentException if an extent is less than 1
    */
@@ -29,6 +30,10 @@ public record Lattice(int nx, int ny, int nz, Ends x, Ends y, Ends z, NodeMap no
       throw new IllegalArgumentException(
           "nodes along an axis must number at least 1: nx=" + nx + ", ny=" + ny + ", nz=" + nz);
     }
+    Objects.requireNonNull(x, "x");
+    Objects.requireNonNull(y, "y");
+    Objects.requireNonNull(z, "z");
+    Objects.requireNonNull(nodes, "nodes");
   }
 
   /** A box without solid nodes. */

@@ -50,7 +50,7 @@ public final class LbmSchemeBuilder {
 
   /** Sets the size of the bundles. Default: {@link BundleSize#fitting}. */
   public LbmSchemeBuilder bundleSize(BundleSize bundleSize) {
-    size = Optional.of(bundleSize);
+    size = Optional.of(Objects.requireNonNull(bundleSize, "bundleSize"));
     return this;
   }
 

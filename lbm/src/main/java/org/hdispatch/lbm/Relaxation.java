@@ -62,7 +62,8 @@ public record Relaxation(double omegaPlus, double omegaMinus) {
   public static Relaxation trt(double relaxationTime, double magic) {
     check(relaxationTime);
     if (!(magic > 0 && magic < Double.POSITIVE_INFINITY)) {
-      throw new IllegalArgumentException("magic number must be positive: magic=" + magic);
+      throw new IllegalArgumentException(
+          "magic number must be positive and finite: magic=" + magic);
     }
     return new Relaxation(1 / relaxationTime, 1 / (magic / (relaxationTime - 0.5) + 0.5));
   }

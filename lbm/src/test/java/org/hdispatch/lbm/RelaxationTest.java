@@ -39,6 +39,8 @@ class RelaxationTest {
   void refusesAMagicNumberThatIsNotPositive() {
     assertThrows(IllegalArgumentException.class, () -> Relaxation.trt(1, 0));
     assertThrows(IllegalArgumentException.class, () -> Relaxation.trt(1, Double.NaN));
+    double endless = Double.POSITIVE_INFINITY;
+    assertThrows(IllegalArgumentException.class, () -> Relaxation.trt(1, endless));
   }
 
   @Test
