@@ -98,11 +98,34 @@ public final class LbmScheme implements Scheme<NodalBundle, LbmScheme.Scratch> {
     public double uz;
 
     NodeState() {}
+
+    /** Checks what has been filled in for a node. */
+    void check(int x, int y, int z) {
+      if (!(density > 0 && Double.isFinite(density) && Double.isFinite(ux + uy + uz))) {
+        throw new IllegalArgumentException(
+            "initial density must be positive and velocity finite: node=("
+                + x
+                + ", "
+                + y
+                + ", "
+                + z
+                + "), density="
+                + density
+                + ", ux="
+                + ux
+                + ", uy="
+                + uy
+                + ", uz="
+                + uz);
+      }
+    }
   }
 
   /**
    * Puts all nodes into equilibrium at the given state, which is the velocity halfway through the
    * force: "true rest" has momentum F/2 after collision.
+   *
+   * @throws IllegalArgumentException if a density is not positive, or anything not finite
    */
   public void initialise(InitialState initial) {
     acted = force;

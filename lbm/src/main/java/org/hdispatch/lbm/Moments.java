@@ -54,6 +54,7 @@ final class Moments {
         state.uy = 0;
         state.uz = 0;
         initial.at(bundle.xAt(place), bundle.yAt(place), bundle.zAt(place), state);
+        state.check(bundle.xAt(place), bundle.yAt(place), bundle.zAt(place));
         for (int i = 0; i < set.size(); i++) {
           scratch.chunk.wide[set.opposite(i)][k] =
               leaving(i, state.density, state.ux, state.uy, state.uz, force);

@@ -310,6 +310,48 @@ class LbmSchemeTest {
     }
   }
 
+  @ParameterizedTest
+  @EnumSource(Storage.class)
+  void isMadeAtRestHalfwayThroughTheForce(Storage storage) throws IOException {
+    double roundOff = storage == Storage.DOUBLE ? 1e-19 : 1e-11; // of populations of 1e-5
+    for (Streaming streaming : Streaming.values()) {
+      LbmScheme scheme =
+          flow(VelocitySet.D3Q19, Equilibrium.QUADRATIC)
+              .storage(storage)
+              .streaming(streaming)
+              .build();
+      byte[] made = saved(scheme);
+      scheme.forEachNode(
+          (x, y, z, density, ux, uy, uz) -> {
+            assertEquals(1, density, roundOff);
+            assertEquals(0, ux, roundOff);
+            assertEquals(0, uy, roundOff);
+            assertEquals(0, uz, roundOff);
+          });
+      scheme.initialise((x, y, z, state) -> {});
+      assertArrayEquals(saved(scheme), made);
+    }
+  }
+
+  @Test
+  void refusesAnInitialStateThatIsNone() {
+    LbmScheme scheme = LbmScheme.on(Flows.duct(3)).build();
+    IllegalArgumentException e =
+        assertThrows(
+            IllegalArgumentException.class,
+            () -> scheme.initialise((x, y, z, state) -> state.density = y == 1 ? 0 : 1));
+    assertEquals(
+        "initial density must be positive and velocity finite:"
+            + " node=(0, 1, 0), density=0.0, ux=0.0, uy=0.0, uz=0.0",
+        e.getMessage());
+    assertThrows(
+        IllegalArgumentException.class,
+        () -> scheme.initialise((x, y, z, state) -> state.density = Double.NaN));
+    assertThrows(
+        IllegalArgumentException.class,
+        () -> scheme.initialise((x, y, z, state) -> state.uz = Double.NaN));
+  }
+
   private static byte[] saved(LbmScheme scheme) throws IOException {
     ByteArrayOutputStream saved = new ByteArrayOutputStream();
     scheme.save(new DataOutputStream(saved));
