@@ -109,12 +109,6 @@ final class KernelSource {
       open("void inPlace(" + type + "[][] in, int[] inAt, int n, int rows, int pitch)");
       loops(species() + ".length()");
       close();
-      out = "out";
-      line("");
-      line("@Override");
-      open("void apart(" + places() + ", int n, int rows, int pitch)");
-      loops(species() + ".length()");
-      close();
     }
     close();
     return text.toString();

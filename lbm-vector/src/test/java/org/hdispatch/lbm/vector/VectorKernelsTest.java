@@ -8,6 +8,7 @@ import java.util.Random;
 import org.hdispatch.cell.Ends;
 import org.hdispatch.dispatch.Dispatcher;
 import org.hdispatch.dispatch.TimeLoop;
+import org.hdispatch.gc.AllocationMeter;
 import org.hdispatch.lbm.BodyForce;
 import org.hdispatch.lbm.Collision;
 import org.hdispatch.lbm.CollisionKernel;
@@ -96,6 +97,45 @@ class VectorKernelsTest {
     float[][] out = inPlace ? in : new float[set.size()][LENGTH];
     kernel.collide(in, at, out, inPlace ? at : at.clone(), n, ROWS, PITCH);
     return out;
+  }
+
+  /** Once C2 has compiled them no vector is boxed: neither where nodes stand nor on their way. */
+  @ParameterizedTest
+  @EnumSource(VelocitySet.class)
+  void allocateNothingOnceCompiled(VelocitySet set) {
+    for (Equilibrium equilibrium : Equilibrium.values()) {
+      Collision collision =
+          new Collision(set, Relaxation.trt(1), equilibrium, new BodyForce(1e-7, 0, 0));
+      CollisionKernel kernel = new VectorKernels().kernel(collision.coefficients());
+      for (boolean inPlace : new boolean[] {true, false}) {
+        double[][] in = new double[set.size()][1000];
+        double[][] out = inPlace ? in : new double[set.size()][1000];
+        float[][] inSingle = new float[set.size()][1000];
+        float[][] outSingle = inPlace ? inSingle : new float[set.size()][1000];
+        int[] at = new int[set.size()];
+        int[] outAt = inPlace ? at : new int[set.size()];
+        String text = set + " " + equilibrium + " in place " + inPlace;
+        comesToAllocateNothing(() -> kernel.collide(in, at, out, outAt, 16, 18, 20), text);
+        comesToAllocateNothing(
+            () -> kernel.collide(inSingle, at, outSingle, outAt, 16, 18, 20), text + " single");
+      }
+    }
+  }
+
+  private static void comesToAllocateNothing(Runnable work, String text) {
+    AllocationMeter meter = new AllocationMeter(Thread.currentThread().getId());
+    long[] before = new long[1];
+    long[] after = new long[1];
+    long bytes = Long.MAX_VALUE;
+    for (int batch = 0; batch < 2000 && bytes > 0; batch++) { // compiling takes tens of batches
+      meter.read(before);
+      for (int n = 0; n < 500; n++) {
+        work.run();
+      }
+      meter.read(after);
+      bytes = after[0] - before[0];
+    }
+    assertEquals(0, bytes, text);
   }
 
   /** A sphere that moves, under a force that changes in every step. */

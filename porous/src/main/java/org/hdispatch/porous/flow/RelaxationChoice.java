@@ -79,7 +79,7 @@ final class RelaxationChoice {
   static int stepsBetweenCorrections(FlowDomain domain, Relaxation relaxation) {
     double radius = domain.hydraulicDiameter() / 2;
     double momentum = radius * radius / (BESSEL_ZERO_SQUARED * relaxation.viscosity());
-    double stirred = 20.0 / 3 * Relaxation.relaxationTime(relaxation.viscosity());
+    double stirred = 10 * Relaxation.relaxationTime(relaxation.viscosity());
     return (int) Math.max(LEAST_STEPS, Math.min(MOST_STEPS, Math.max(momentum / 2, stirred)));
   }
 }
