@@ -84,7 +84,9 @@ final class FlowSettings {
       paramLabel = "SIDES",
       defaultValue = "wall",
       completionCandidates = Choices.OfSides.class,
-      description = "The four sides along the flow: ${COMPLETION-CANDIDATES} (spheres: periodic).")
+      description =
+          "The four sides along the flow: ${COMPLETION-CANDIDATES} (spheres: periodic)."
+              + " Mirror is as if the rock's mirror image lay beside it, without its voxels.")
   private Sides sides;
 
   @Option(
@@ -94,7 +96,9 @@ final class FlowSettings {
       completionCandidates = Choices.OfInlet.class,
       description =
           "The two ends of the flow: ${COMPLETION-CANDIDATES} (spheres: periodic)."
-              + " A slab is layers of fluid between the rock and its periodic image.")
+              + " A slab is layers of fluid between the rock and its periodic image."
+              + " With pressure, a plenum begins right at the rock: as if it lay beside its mirror"
+              + " image, without its voxels.")
   private Inlet inlet;
 
   @Option(

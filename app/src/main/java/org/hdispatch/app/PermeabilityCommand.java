@@ -202,7 +202,7 @@ final class PermeabilityCommand implements Callable<Integer> {
       refuse("--inlet-layers", "--inlet slab, not --spheres");
     } else {
       SphereOptions.NAMES.forEach(name -> refuse(name, "--spheres"));
-      if (settings.options().inlet() == Inlet.PERIODIC) {
+      if (settings.options().inlet() != Inlet.SLAB) {
         refuse("--inlet-layers", "--inlet slab");
       }
     }

@@ -138,7 +138,7 @@ class PermeabilityCommandTest {
   }
 
   @ParameterizedTest
-  @ValueSource(strings = {"--inlet-layers=4", "--inlet=periodic"})
+  @ValueSource(strings = {"--inlet-layers=4", "--inlet=periodic", "--inlet=pressure"})
   void allPoreWithWallsIsADuct(String inlet) {
     int width = 10;
     Path image = RawFile.write(folder, width, width, 16, (x, y, z) -> true);
@@ -194,6 +194,22 @@ class PermeabilityCommandTest {
     assertTrue(number(json, "permeability_mD") > 0);
     assertEquals("\"wall\"", json.get("sides"));
     assertEquals("\"slab\"", json.get("inlet"));
+  }
+
+  @Test
+  void bundledRockConvergesBetweenMirrorsUnderPressure() {
+    Object[] args = {
+      "permeability", SMALL, "--tolerance=0.05", "--sides=mirror", "--inlet=pressure"
+    };
+    Cli table = Cli.run(args);
+    assertTrue(table.out().contains("sides mirror, inlet and outlet pressure\n"), table.out());
+    Object[] form = Arrays.copyOf(args, args.length + 1);
+    form[args.length] = "--json";
+    Map<String, String> json = Cli.json(form);
+    assertEquals("\"mirror\"", json.get("sides"));
+    assertEquals("\"pressure\"", json.get("inlet"));
+    assertEquals("0", json.get("inlet_layers"));
+    assertTrue(number(json, "permeability_mD") > 0);
   }
 
   @Test

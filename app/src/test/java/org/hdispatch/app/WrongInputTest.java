@@ -11,6 +11,7 @@ import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
+import java.util.Locale;
 import java.util.stream.Stream;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
@@ -164,20 +165,31 @@ class WrongInputTest {
   }
 
   @Test
+  void layersMustBeOfASlab() {
+    for (String inlet : new String[] {"periodic", "pressure"}) {
+      Cli.run("permeability", "--inlet", inlet, "--inlet-layers", "3")
+          .assertRefused(2, "--inlet-layers must come with --inlet slab");
+    }
+  }
+
+  @Test
   void formsMustNotBeCombined() {
     Cli.run("permeability", "--json", "--csv").assertRefused(2, "--json and --csv");
   }
 
   @Test
-  void allPoreWithPeriodicSidesIsRefused() {
-    permeability(
-            "solid.raw",
-            "--dims=4,4,4",
-            "--pore-value=0",
-            "--voxel-edge=1e-6",
-            "--sides=periodic",
-            "--output=" + folder.resolve("result"))
-        .assertRefused(2, "pore space must have a wall");
+  void allPoreWithoutWallsIsRefused() {
+    for (String sides : new String[] {"periodic", "mirror"}) {
+      permeability(
+              "solid.raw",
+              "--dims=4,4,4",
+              "--pore-value=0",
+              "--voxel-edge=1e-6",
+              "--sides=" + sides,
+              "--output=" + folder.resolve("result"))
+          .assertRefused(
+              2, "pore space must have a wall", "sides=" + sides.toUpperCase(Locale.ROOT));
+    }
   }
 
   @Test

@@ -3,6 +3,7 @@ package org.hdispatch.porous.flow;
 import java.util.Optional;
 import org.hdispatch.cell.Ends;
 import org.hdispatch.lbm.Lattice;
+import org.hdispatch.lbm.LbmSchemeBuilder;
 import org.hdispatch.lbm.immersed.Body;
 import org.hdispatch.lbm.immersed.ImmersedBodies;
 import org.hdispatch.lbm.immersed.Point;
@@ -12,7 +13,7 @@ import org.hdispatch.porous.pore.PoreSpace;
 
 /**
  * The lattice on which a rock's flow is solved: the rock box with a slab of fluid at each end,
- * periodic along the flow; and the sizes that time scales follow from.
+ * periodic along the flow, or with faces; and the sizes that time scales follow from.
  */
 final class FlowDomain {
   private static final int LEAST_LAYERS = 4;
@@ -24,7 +25,8 @@ final class FlowDomain {
   private final Ends ends;
   private final Axis axis;
   private final int layers;
-  private final boolean walled;
+  private final Sides atSides;
+  private final Inlet inlet;
   private final Lattice lattice;
   private final double hydraulicDiameter;
 
@@ -62,17 +64,19 @@ final class FlowDomain {
     axis = options.axis();
     hydraulicDiameter = PoreWidth.hydraulicDiameter(pores, options);
     layers = layers(options, hydraulicDiameter);
-    walled = options.sides() == Sides.WALL;
-    sides = options.sides().ends();
-    ends = options.inlet().ends();
+    atSides = options.sides();
+    inlet = options.inlet();
+    sides = atSides.ends();
+    ends = inlet.ends();
+    Ends along = inlet == Inlet.PRESSURE ? Ends.OPEN : Ends.PERIODIC;
     lattice =
         new Lattice(
             rock.nx() + 2 * offset(Axis.X),
             rock.ny() + 2 * offset(Axis.Y),
             rock.nz() + 2 * offset(Axis.Z),
-            axis == Axis.X ? Ends.PERIODIC : sides,
-            axis == Axis.Y ? Ends.PERIODIC : sides,
-            axis == Axis.Z ? Ends.PERIODIC : sides,
+            axis == Axis.X ? along : sides,
+            axis == Axis.Y ? along : sides,
+            axis == Axis.Z ? along : sides,
             this::fluid);
   }
 
@@ -82,7 +86,7 @@ final class FlowDomain {
    * less than 1 %. Narrow ones hold the flow back that spreads in them.
    */
   private static int layers(FlowOptions options, double hydraulicDiameter) {
-    if (options.inlet() == Inlet.PERIODIC) {
+    if (options.inlet() != Inlet.SLAB) {
       return 0;
     }
     int fitting = (int) Math.ceil(0.75 * hydraulicDiameter);
@@ -132,6 +136,28 @@ final class FlowDomain {
   /** Pore volume of the rock in which fluid flows, over that of the rock box. */
   double connectedPorosity() {
     return solid.map(fractions -> fractions.porosity(rock)).orElse(rock.porosity());
+  }
+
+  /** Whether a wall stands at the ends of an axis. */
+  boolean isWalled(int across) {
+    return across != axis.ordinal() && atSides == Sides.WALL;
+  }
+
+  /** Whether a plenum of one pressure lies at the ends of an axis. */
+  boolean isPressed(int along) {
+    return along == axis.ordinal() && inlet == Inlet.PRESSURE;
+  }
+
+  /** Puts faces where the ends or sides are neither walls nor periodic. */
+  void bound(LbmSchemeBuilder scheme) {
+    if (inlet == Inlet.PRESSURE) {
+      scheme.pressureFaces(axis.ordinal(), 1, 1);
+    }
+    for (Axis across : Axis.values()) {
+      if (across != axis && atSides == Sides.MIRROR) {
+        scheme.symmetryFaces(across.ordinal());
+      }
+    }
   }
 
   /** Whether boundaries are immersed. */
@@ -190,7 +216,7 @@ final class FlowDomain {
 
   /** Permeability of the empty cross-section between the side walls, voxel². */
   double slabPermeability() {
-    if (walled) {
+    if (atSides == Sides.WALL) {
       return switch (axis) {
         case X -> Darcy.ductPermeability(rock.ny(), rock.nz());
         case Y -> Darcy.ductPermeability(rock.nx(), rock.nz());

@@ -36,9 +36,10 @@ final class PoreWidth {
     return rock.poreVoxels() == 0 ? 0 : 4.0 * rock.poreVoxels() * STAIRCASE / faces;
   }
 
-  /** Faces between pore and wall across an axis. The open ends of the flow are no wall. */
+  /** Faces between pore and wall across an axis. Open ends of the flow and mirrors are no wall. */
   private static long wallFaces(PoreSpace rock, Axis across, FlowOptions options) {
     boolean along = across == options.axis();
+    boolean walled = !along && options.sides() == Sides.WALL;
     Ends ends = along ? options.inlet().ends() : options.sides().ends();
     int dx = across == Axis.X ? 1 : 0;
     int dy = across == Axis.Y ? 1 : 0;
@@ -55,7 +56,7 @@ final class PoreWidth {
               int shift = beside - at;
               boolean wall =
                   beside < 0
-                      ? !along
+                      ? walled
                       : !rock.isPore(x + dx * shift, y + dy * shift, z + dz * shift);
               faces += wall ? 1 : 0;
             }

@@ -1,7 +1,6 @@
 package org.hdispatch.porous.flow;
 
 import java.util.function.BiConsumer;
-import org.hdispatch.cell.Ends;
 import org.hdispatch.dispatch.Dispatcher;
 import org.hdispatch.dispatch.Scheme;
 import org.hdispatch.dispatch.TimeLoop;
@@ -39,6 +38,7 @@ final class PressureSolver {
   /** Share of a correction that is added; more than all of it overshoots. */
   private static final double SHARE = 0.9;
 
+  private final FlowDomain domain;
   private final LbmScheme flow;
   private final Lattice lattice;
   private final Axis axis;
@@ -55,14 +55,19 @@ final class PressureSolver {
   private double startFlux;
 
   PressureSolver(Dispatcher dispatcher, FlowDomain domain, LbmScheme flow) {
+    this.domain = domain;
     this.flow = flow;
     lattice = domain.lattice();
     axis = domain.axis();
     field = new double[Math.multiplyExact(lattice.nx() * lattice.ny(), lattice.nz())];
     mobility = profiles(dispatcher);
-    solver =
-        ConjugateGradients.on(
-            dispatcher, problem().mobility((x, y, z) -> mobility[index(x, y, z)]).build());
+    PoissonProblem.Builder between = problem().mobility((x, y, z) -> mobility[index(x, y, z)]);
+    for (Side side : Side.values()) {
+      if (domain.isPressed(side.axis())) {
+        between.fixed(side, 0); // what drives the flow is the force
+      }
+    }
+    solver = ConjugateGradients.on(dispatcher, between.build());
     LbmScheme.NodeVisitor note = (x, y, z, rho, ux, uy, uz) -> field[index(x, y, z)] = -rho;
     LbmScheme.NodeVisitor gain = (x, y, z, rho, ux, uy, uz) -> field[index(x, y, z)] += rho;
     LbmScheme.NodeChange change = this::change;
@@ -92,8 +97,7 @@ final class PressureSolver {
     PoissonProblem.Builder walled =
         problem().mobility((x, y, z) -> lattice.nodes().fluid(x, y, z) ? 1 : 0).fixedWalls(0);
     for (Side side : Side.values()) {
-      Ends ends = side.axis() == 0 ? lattice.x() : side.axis() == 1 ? lattice.y() : lattice.z();
-      if (ends == Ends.OPEN) {
+      if (domain.isWalled(side.axis())) {
         walled.fixed(side, 0);
       }
     }
@@ -199,15 +203,15 @@ final class PressureSolver {
     int xi = lattice.x().wrap(xn, lattice.nx());
     int yj = lattice.y().wrap(yn, lattice.ny());
     int zk = lattice.z().wrap(zn, lattice.nz());
-    if (xi < 0 || yj < 0 || zk < 0) {
-      return 0;
+    int here = index(x, y, z);
+    double driven = way != axis ? 0 : xn < x || yn < y || zn < z ? force : -force;
+    if (xi < 0 || yj < 0 || zk < 0) { // half way to the plenum, at twice the mobility
+      return domain.isPressed(way.ordinal()) ? mobility[here] * (driven - 2 * field[here]) : 0;
     }
     double there = mobility[index(xi, yj, zk)];
     if (there == 0) {
       return 0;
     }
-    int here = index(x, y, z);
-    double driven = way != axis ? 0 : xn < x || yn < y || zn < z ? force : -force;
     double fall = field[index(xi, yj, zk)] - field[here] + driven;
     return LinkMean.HARMONIC.of(mobility[here], there) * fall;
   }

@@ -47,7 +47,7 @@ public record SteadyFlow(
    * @param hydraulicDiameter 4 volume / surface of the connected pores, the surface being two
    *     thirds of the voxel faces, voxels; NaN if nothing spans
    * @param relaxationTime tau; NaN if nothing spans
-   * @param inletLayers layers of fluid at each end; 0 if the inlet is periodic or nothing spans
+   * @param inletLayers layers of fluid at each end; 0 if the inlet has none or nothing spans
    */
   public record Chosen(double hydraulicDiameter, double relaxationTime, int inletLayers) {}
 

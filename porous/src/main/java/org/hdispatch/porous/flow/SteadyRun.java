@@ -76,6 +76,7 @@ final class SteadyRun {
             .relaxation(relaxation)
             .equilibrium(Equilibrium.LINEAR)
             .force(along(options.axis(), force));
+    domain.bound(builder);
     domain.bodies().ifPresent(builder::immersion);
     scheme = builder.build();
     loop = dispatcher.loop(scheme);
