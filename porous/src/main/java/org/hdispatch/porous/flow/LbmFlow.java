@@ -96,7 +96,7 @@ public final class LbmFlow {
 
   /**
    * Heap that a computation needs, in bytes: the populations, half as much for their links, set-up,
-   * pore space and field. An estimate from above, for a pore space that spans as a whole.
+   * pore space and field, and what finding the pressure takes. An estimate from above, for a pore space that spans as a whole.
    *
    * @throws IllegalArgumentException if fluid is nowhere held back by a wall
    */
@@ -105,6 +105,10 @@ public final class LbmFlow {
     long slabs = 2L * new FlowDomain(space, options).slabVoxels();
     long perNode = 3L * velocities * Double.BYTES / 2;
     long perVoxel = 2 * Integer.BYTES + 2 + 4 * Float.BYTES;
+    if (options.approach() == Approach.CORRECTED) {
+      perNode += PressureSolver.BYTES_PER_NODE;
+      perVoxel += PressureSolver.BYTES_PER_VOXEL;
+    }
     return (space.poreVoxels() + slabs) * perNode + (space.voxels() + slabs) * perVoxel;
   }
 }

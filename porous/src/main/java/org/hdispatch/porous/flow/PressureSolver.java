@@ -31,6 +31,12 @@ import org.hdispatch.porous.image.Axis;
  * <p>Every bit is the same for any number of workers.
  */
 final class PressureSolver {
+  /** Heap that a fluid node takes: its links and vectors on all levels. */
+  static final int BYTES_PER_NODE = 200;
+
+  /** Heap that a voxel takes: mobility and field. */
+  static final int BYTES_PER_VOXEL = 2 * Double.BYTES;
+
   private static final double START_TOLERANCE = 1e-3;
   private static final double CORRECTION_TOLERANCE = 0.1;
   private static final int MOST_ITERATIONS = 100;

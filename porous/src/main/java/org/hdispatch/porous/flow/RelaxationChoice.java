@@ -9,7 +9,7 @@ import org.hdispatch.lbm.Relaxation;
  * <p>Two things must settle. Momentum, in a tube of radius R, takes t_m = R²/(5.78 nu) (first zero
  * of the Bessel function J_0, squared); R is half the hydraulic diameter. Pressure diffuses through
  * the rock with D = k c_s²/(phi nu) and takes t_p = (L/pi)²/D. The sum is least where the two are
- * equal: nu² = R² k c_s² pi²/(5.78 phi L²).
+ * equal: nu² = R² k c_s² pi²/(5.78 phi L²). Where the pressure is corrected, only t_m counts.
  */
 final class RelaxationChoice {
   /**
