@@ -90,11 +90,7 @@ final class Crew {
     running.set(false);
   }
 
-  /**
-   * Throws if the run is to end early.
-   *
-   * @throws CancellationException if it was cancelled, the caller interrupted or this closed
-   */
+  /** Throws CancellationException if the run was cancelled, the caller interrupted, this closed. */
   void check(Run run) {
     if (closed) {
       throw Refusal.closedMeanwhile();
@@ -173,7 +169,10 @@ final class Crew {
   /** Asks a run to end; safe from any thread. */
   void cancel(Run run) {
     run.cancelled = true;
-    takeBack(run.openPass.get());
+    long pass = run.openPass.get();
+    if (run.cancelled) { // else it has been heard, and the pass may be of the next run
+      takeBack(pass);
+    }
   }
 
   /** Ends the run in progress; waits for it and for the threads, unless called from within. */

@@ -14,8 +14,8 @@ import org.hdispatch.cell.Ends;
  * <p>with the six neighbours across the faces of the node's unit cell. No flow crosses a face to a
  * node that is not active, nor an open end of the box. At a {@linkplain Builder#fixed fixed side}
  * the value of p is given on the outer face of the last nodes, half a spacing away from them: the
- * link has mobility 2 K_m (twice the node's, for half the way). With {@linkplain
- * Builder#fixedWalls fixed walls} so it is at the faces to nodes that are not active.
+ * link has mobility 2 K_m (twice the node's, for half the way). With {@linkplain Builder#fixedWalls
+ * fixed walls} so it is at the faces to nodes that are not active.
  *
  * <p>Units: any; those of b are those of mobility times p.
  */

@@ -96,7 +96,8 @@ public final class LbmFlow {
 
   /**
    * Heap that a computation needs, in bytes: the populations, half as much for their links, set-up,
-   * pore space and field, and what finding the pressure takes. An estimate from above, for a pore space that spans as a whole.
+   * pore space and field, and what finding the pressure takes. An estimate from above, for a pore
+   * space that spans as a whole.
    *
    * @throws IllegalArgumentException if fluid is nowhere held back by a wall
    */

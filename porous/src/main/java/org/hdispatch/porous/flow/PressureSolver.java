@@ -136,13 +136,10 @@ final class PressureSolver {
     solver.solve(START_TOLERANCE, MOST_ITERATIONS);
     solver.forEachNode((x, y, z, p) -> field[index(x, y, z)] = p);
     double[] sum = new double[1];
-    flow.initialise(
-        (x, y, z, state) -> {
-          change(x, y, z, state);
-          sum[0] += axis == Axis.X ? state.ux : axis == Axis.Y ? state.uy : state.uz;
-        });
-    share = SHARE;
+    solver.forEachNode((x, y, z, p) -> sum[0] += velocity(x, y, z, axis));
     startFlux = sum[0] / axis.length(lattice.nx(), lattice.ny(), lattice.nz());
+    addPressure.run(1);
+    share = SHARE;
   }
 
   /** Notes the density of all nodes. */
@@ -197,11 +194,20 @@ final class PressureSolver {
 
   /** What the pressure in the field adds to the state of a node. */
   private void change(int x, int y, int z, LbmScheme.NodeState state) {
-    state.density += share * 3 * field[index(x, y, z)];
-    double factor = share * scale / (2 * flow.relaxation().viscosity());
-    state.ux = factor * (drop(x, y, z, x - 1, y, z, Axis.X) - drop(x, y, z, x + 1, y, z, Axis.X));
-    state.uy = factor * (drop(x, y, z, x, y - 1, z, Axis.Y) - drop(x, y, z, x, y + 1, z, Axis.Y));
-    state.uz = factor * (drop(x, y, z, x, y, z - 1, Axis.Z) - drop(x, y, z, x, y, z + 1, Axis.Z));
+    state.density = share * 3 * field[index(x, y, z)];
+    state.ux = share * velocity(x, y, z, Axis.X);
+    state.uy = share * velocity(x, y, z, Axis.Y);
+    state.uz = share * velocity(x, y, z, Axis.Z);
+  }
+
+  /** The flow that goes with the pressure in the field: mean over the two faces of a node. */
+  private double velocity(int x, int y, int z, Axis way) {
+    int dx = way == Axis.X ? 1 : 0;
+    int dy = way == Axis.Y ? 1 : 0;
+    int dz = way == Axis.Z ? 1 : 0;
+    double in = drop(x, y, z, x - dx, y - dy, z - dz, way);
+    double out = drop(x, y, z, x + dx, y + dy, z + dz, way);
+    return scale / (2 * flow.relaxation().viscosity()) * (in - out);
   }
 
   /** Mobility times what drives fluid in from a neighbour, 0 from a wall. */
