@@ -24,7 +24,6 @@ final class OutcomeRow {
         .put("permeability_voxel2", flow.permeability())
         .put("k_error_estimate", flow.errorEstimate())
         .put("change_at_stop", flow.changeAtStop())
-        .put("flux_imbalance", flow.fluxImbalance())
         .put("porosity", flow.porosity())
         .put("porosity_connected", outcome.connectedPorosity())
         .put("percolates", outcome.percolates())
@@ -36,11 +35,7 @@ final class OutcomeRow {
         .put("reynolds", outcome.reynolds())
         .put("mach", flow.mach())
         .put("seconds_stepping", flow.work().secondsStepping())
-        .put("mflups", flow.work().mflups())
-        .put("corrections", flow.corrections().map(SteadyFlow.Corrections::count).orElse(0))
-        .put(
-            "seconds_pressure",
-            flow.corrections().map(SteadyFlow.Corrections::seconds).orElse(0.0));
+        .put("mflups", flow.work().mflups());
   }
 
   private static void settings(FlatRow row, Outcome outcome) {
@@ -48,7 +43,6 @@ final class OutcomeRow {
     row.put("threads", outcome.threads())
         .put("method", "lbm")
         .put("lattice", options.velocitySet().name())
-        .put("approach", Choices.word(options.approach()))
         .put("collision", Choices.word(options.collision()))
         .put("axis", Choices.word(options.axis()))
         .put("voxel_edge_m", outcome.rock().voxelEdge())
@@ -60,7 +54,12 @@ final class OutcomeRow {
   private static void details(FlatRow row, Outcome outcome) {
     SteadyFlow flow = outcome.flow();
     PoreSpace space = outcome.rock().space();
-    row.put("tolerance", outcome.options().tolerance())
+    row.put("approach", Choices.word(outcome.options().approach()))
+        .put("corrections", flow.corrections().map(SteadyFlow.Corrections::count).orElse(0))
+        .put(
+            "seconds_pressure", flow.corrections().map(SteadyFlow.Corrections::seconds).orElse(0.0))
+        .put("flux_imbalance", flow.fluxImbalance())
+        .put("tolerance", outcome.options().tolerance())
         .put("max_steps", outcome.options().maxSteps())
         .put("viscosity", outcome.fluid().viscosity())
         .put("density", outcome.fluid().density())
