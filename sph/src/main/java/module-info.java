@@ -1,8 +1,8 @@
-/**
- * Smoothed particle hydrodynamics.
- *
- * <p>Today: the smoothing kernels, with the lattice sums that judge them.
- */
+/** Smoothed particle hydrodynamics. */
 module org.hdispatch.sph {
+  requires transitive org.hdispatch.core;
+
+  uses org.hdispatch.sph.PairSumsProvider;
+
   exports org.hdispatch.sph;
 }

@@ -3,24 +3,15 @@ package org.hdispatch.sph;
 /**
  * The cubic spline, of support 2 h (Monaghan, Lattanzio 1985).
  *
- * <p>With q = r/h:
+ * <p>With q = r/h and (x)+ = max(x, 0):
  *
  * <pre>
- * W = s (1 - 3/2 q^2 + 3/4 q^3)   q &lt; 1
- *     s/4 (2 - q)^3               1 &lt;= q &lt; 2,   s = 10/(7 pi h^2) or 1/(pi h^3)
+ * W = s [ (2 - q)+^3 / 4 - (1 - q)+^3 ],   s = 10/(7 pi h^2) or 1/(pi h^3)
  * </pre>
  *
  * <p>At h = dx it has 8 (2-D) or 26 (3-D) lattice neighbours and errs by 1 to 2 % in viscosity.
  */
-public final class CubicSpline implements SmoothingKernel {
-
-  private static final int SUPPORT = 2; // in h
-
-  private final KernelScale scale;
-  private final double supportRadius;
-  private final double inverseLength;
-  private final double valueFactor;
-  private final double slopeFactor;
+public final class CubicSpline extends SmoothingKernel {
 
   /**
    * A kernel of one smoothing length.
@@ -31,56 +22,46 @@ public final class CubicSpline implements SmoothingKernel {
    *     nor 3
    */
   public CubicSpline(double smoothingLength, int dimensions) {
-    this.scale = new KernelScale(smoothingLength, dimensions);
-    this.supportRadius = SUPPORT * smoothingLength;
-    this.inverseLength = 1 / smoothingLength;
-    this.valueFactor = scale.prefactor(10 / (7 * Math.PI), 1 / Math.PI);
-    this.slopeFactor = valueFactor / smoothingLength;
+    super("cubic spline", 2, smoothingLength, dimensions, 10 / (7 * Math.PI), 1 / Math.PI);
   }
 
   @Override
-  public double w(double r) {
-    if (r >= supportRadius) {
-      return 0;
+  double shape(double q) {
+    return valueAt(q);
+  }
+
+  @Override
+  double slope(double q) {
+    return slopeAt(q);
+  }
+
+  @Override
+  public void weights(double[] squares, double[] weights, int count) {
+    for (int n = 0; n < count; n++) {
+      weights[n] = valueFactor * valueAt(Math.sqrt(squares[n]) * inverseLength);
     }
-    double q = r * inverseLength;
-    if (q < 1) {
-      return valueFactor * (1 - 0.75 * q * q * (2 - q));
+  }
+
+  @Override
+  public void slopes(double[] squares, double[] slopes, int count) {
+    for (int n = 0; n < count; n++) {
+      slopes[n] = slopeFactor * slopeOverDistanceAt(Math.sqrt(squares[n]) * inverseLength);
     }
-    double a = 2 - q;
-    return valueFactor * 0.25 * (a * a * a);
   }
 
-  @Override
-  public double dwdr(double r) {
-    if (r >= supportRadius) {
-      return 0;
-    }
-    double q = r * inverseLength;
-    if (q < 1) {
-      return -0.75 * slopeFactor * q * (4 - 3 * q);
-    }
-    double a = 2 - q;
-    return -0.75 * slopeFactor * (a * a);
+  private static double valueAt(double q) {
+    double a = Math.max(2 - q, 0);
+    double b = Math.max(1 - q, 0);
+    return Math.fma(b * b * b, -1, 0.25 * (a * a * a));
   }
 
-  @Override
-  public double supportRadius() {
-    return supportRadius;
+  private static double slopeAt(double q) {
+    double a = Math.max(2 - q, 0);
+    double b = Math.max(1 - q, 0);
+    return Math.fma(b * b, 3, -0.75 * (a * a));
   }
 
-  @Override
-  public double smoothingLength() {
-    return scale.smoothingLength();
-  }
-
-  @Override
-  public int dimensions() {
-    return scale.dimensions();
-  }
-
-  @Override
-  public String toString() {
-    return scale.describe("cubic spline", SUPPORT);
+  private static double slopeOverDistanceAt(double q) {
+    return slopeAt(q) / q;
   }
 }

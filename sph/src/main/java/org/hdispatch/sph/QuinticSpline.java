@@ -11,15 +11,7 @@ package org.hdispatch.sph;
  *
  * <p>At h = dx it has 24 (2-D) or 92 (3-D) lattice neighbours and errs by 0.1 % in viscosity.
  */
-public final class QuinticSpline implements SmoothingKernel {
-
-  private static final int SUPPORT = 3; // in h
-
-  private final KernelScale scale;
-  private final double supportRadius;
-  private final double inverseLength;
-  private final double valueFactor;
-  private final double slopeFactor;
+public final class QuinticSpline extends SmoothingKernel {
 
   /**
    * A kernel of one smoothing length.
@@ -30,59 +22,55 @@ public final class QuinticSpline implements SmoothingKernel {
    *     nor 3
    */
   public QuinticSpline(double smoothingLength, int dimensions) {
-    this.scale = new KernelScale(smoothingLength, dimensions);
-    this.supportRadius = SUPPORT * smoothingLength;
-    this.inverseLength = 1 / smoothingLength;
-    this.valueFactor = scale.prefactor(7 / (478 * Math.PI), 1 / (120 * Math.PI));
-    this.slopeFactor = valueFactor / smoothingLength;
+    super(
+        "quintic spline", 3, smoothingLength, dimensions, 7 / (478 * Math.PI), 1 / (120 * Math.PI));
   }
 
   @Override
-  public double w(double r) {
-    if (r >= supportRadius) {
-      return 0;
+  double shape(double q) {
+    return valueAt(q);
+  }
+
+  @Override
+  double slope(double q) {
+    return slopeAt(q);
+  }
+
+  @Override
+  public void weights(double[] squares, double[] weights, int count) {
+    for (int n = 0; n < count; n++) {
+      weights[n] = valueFactor * valueAt(Math.sqrt(squares[n]) * inverseLength);
     }
-    double q = r * inverseLength;
+  }
+
+  @Override
+  public void slopes(double[] squares, double[] slopes, int count) {
+    for (int n = 0; n < count; n++) {
+      slopes[n] = slopeFactor * slopeOverDistanceAt(Math.sqrt(squares[n]) * inverseLength);
+    }
+  }
+
+  private static double valueAt(double q) {
     double a = Math.max(3 - q, 0);
     double b = Math.max(2 - q, 0);
     double c = Math.max(1 - q, 0);
-    return valueFactor * (fourth(a) * a - 6 * (fourth(b) * b) + 15 * (fourth(c) * c));
+    double a2 = a * a;
+    double b2 = b * b;
+    double c2 = c * c;
+    return Math.fma(c2 * c2 * c, 15, Math.fma(b2 * b2 * b, -6, a2 * a2 * a));
   }
 
-  @Override
-  public double dwdr(double r) {
-    if (r >= supportRadius) {
-      return 0;
-    }
-    double q = r * inverseLength;
-    double a = fourth(Math.max(3 - q, 0));
-    double b = fourth(Math.max(2 - q, 0));
-    double c = fourth(Math.max(1 - q, 0));
-    return -5 * slopeFactor * (a - 6 * b + 15 * c);
+  private static double slopeAt(double q) {
+    double a = Math.max(3 - q, 0);
+    double b = Math.max(2 - q, 0);
+    double c = Math.max(1 - q, 0);
+    double a2 = a * a;
+    double b2 = b * b;
+    double c2 = c * c;
+    return Math.fma(c2 * c2, -75, Math.fma(b2 * b2, 30, -5 * (a2 * a2)));
   }
 
-  private static double fourth(double x) {
-    double square = x * x;
-    return square * square;
-  }
-
-  @Override
-  public double supportRadius() {
-    return supportRadius;
-  }
-
-  @Override
-  public double smoothingLength() {
-    return scale.smoothingLength();
-  }
-
-  @Override
-  public int dimensions() {
-    return scale.dimensions();
-  }
-
-  @Override
-  public String toString() {
-    return scale.describe("quintic spline", SUPPORT);
+  private static double slopeOverDistanceAt(double q) {
+    return slopeAt(q) / q;
   }
 }

@@ -6,10 +6,71 @@ package org.hdispatch.sph;
  * <p>Every kernel is radial, never negative, decreasing in r, normalised so that its integral over
  * the plane (2-D) or over space (3-D) is 1, and exactly 0 at and beyond {@link #supportRadius()}.
  *
- * <p>Implementations are immutable and may be shared by all threads. No method allocates or checks
- * its argument: r must not be negative, and NaN gives an unspecified value.
+ * <p>Kernels are immutable and may be shared by all threads. No method allocates or checks its
+ * argument: r must not be negative, and NaN gives an unspecified value.
  */
-public interface SmoothingKernel {
+public abstract class SmoothingKernel {
+  private final String name;
+  private final int support; // in h
+  private final int dimensions;
+  private final double smoothingLength;
+  private final double supportRadius;
+
+  /** 1/h. */
+  protected final double inverseLength;
+
+  /** What the shape of the kernel is multiplied by: in 1/length^dimensions. */
+  protected final double valueFactor;
+
+  /** {@link #valueFactor}/h^2: what (dW/dq)/q is multiplied by to give (dW/dr)/r. */
+  protected final double slopeFactor;
+
+  /**
+   * A kernel of one smoothing length.
+   *
+   * @param name what it is called in texts
+   * @param support its support radius, in h
+   * @param smoothingLength h, in the unit of length of the simulation
+   * @param dimensions 2 or 3
+   * @param plane factor of its shape in 2-D, for h = 1
+   * @param space factor of its shape in 3-D, for h = 1
+   * @throws IllegalArgumentException if h is not positive and finite, or so small that W is not, or
+   *     dimensions is neither 2 nor 3
+   */
+  protected SmoothingKernel(
+      String name,
+      int support,
+      double smoothingLength,
+      int dimensions,
+      double plane,
+      double space) {
+    if (!(smoothingLength > 0 && Double.isFinite(smoothingLength))) {
+      throw new IllegalArgumentException(
+          "smoothing length must be positive and finite: h=" + smoothingLength);
+    }
+    if (dimensions != 2 && dimensions != 3) {
+      throw new IllegalArgumentException("dimensions must be 2 or 3: dimensions=" + dimensions);
+    }
+    double h = smoothingLength;
+    this.name = name;
+    this.support = support;
+    this.dimensions = dimensions;
+    this.smoothingLength = h;
+    supportRadius = support * h;
+    inverseLength = 1 / h;
+    valueFactor = dimensions == 2 ? plane / (h * h) : space / (h * h * h);
+    slopeFactor = valueFactor / (h * h);
+    if (!(valueFactor > 0 && Double.isFinite(valueFactor))) {
+      throw new IllegalArgumentException(
+          "1 / h^" + dimensions + " must be a finite number: h=" + h);
+    }
+  }
+
+  /** W at a distance q = r/h within the support, over {@link #valueFactor}. */
+  abstract double shape(double q);
+
+  /** dW/dq at a distance q = r/h within the support, over {@link #valueFactor}. */
+  abstract double slope(double q);
 
   /**
    * Value of the kernel at a distance.
@@ -17,7 +78,9 @@ public interface SmoothingKernel {
    * @param r distance between two particles, in the unit of the smoothing length
    * @return W(r, h), in 1/length^{@link #dimensions()}
    */
-  double w(double r);
+  public final double w(double r) {
+    return r >= supportRadius ? 0 : valueFactor * shape(r * inverseLength);
+  }
 
   /**
    * Radial derivative of the kernel at a distance.
@@ -27,26 +90,72 @@ public interface SmoothingKernel {
    * @param r distance between two particles, in the unit of the smoothing length
    * @return dW/dr, in 1/length^({@link #dimensions()} + 1); never positive, and 0 at r = 0
    */
-  double dwdr(double r);
+  public final double dwdr(double r) {
+    return r >= supportRadius ? 0 : valueFactor * inverseLength * slope(r * inverseLength);
+  }
+
+  /**
+   * Values of the kernel at many distances.
+   *
+   * @param squares r^2 of each; positive, in the unit of the smoothing length
+   * @param weights where W(r, h) goes
+   * @param count how many
+   */
+  public abstract void weights(double[] squares, double[] weights, int count);
+
+  /**
+   * Radial derivatives of the kernel over the distance, at many distances.
+   *
+   * @param squares r^2 of each; positive, in the unit of the smoothing length
+   * @param slopes where (dW/dr)/r goes; never positive
+   * @param count how many
+   */
+  public abstract void slopes(double[] squares, double[] slopes, int count);
 
   /**
    * Distance at and beyond which the kernel is 0.
    *
    * @return a fixed multiple of the smoothing length, in its unit
    */
-  double supportRadius();
+  public final double supportRadius() {
+    return supportRadius;
+  }
 
   /**
    * Length h that scales the kernel.
    *
    * @return h, in the unit of length of the simulation
    */
-  double smoothingLength();
+  public final double smoothingLength() {
+    return smoothingLength;
+  }
 
   /**
    * Dimensions of the space the kernel is normalised in.
    *
    * @return 2 or 3
    */
-  int dimensions();
+  public final int dimensions() {
+    return dimensions;
+  }
+
+  /** 1/h. */
+  public final double inverseLength() {
+    return inverseLength;
+  }
+
+  /** What the shape of the kernel is multiplied by: in 1/length^dimensions. */
+  public final double valueFactor() {
+    return valueFactor;
+  }
+
+  /** {@link #valueFactor}/h^2. */
+  public final double slopeFactor() {
+    return slopeFactor;
+  }
+
+  @Override
+  public final String toString() {
+    return name + ", h=" + smoothingLength + ", " + dimensions + "-D, support=" + support + " h";
+  }
 }

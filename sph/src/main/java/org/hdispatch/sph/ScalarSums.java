@@ -1,0 +1,250 @@
+package org.hdispatch.sph;
+
+import static org.hdispatch.sph.Neighbourhood.DEPTH;
+import static org.hdispatch.sph.Neighbourhood.LANES;
+import static org.hdispatch.sph.Neighbourhood.PRESSURE;
+import static org.hdispatch.sph.Neighbourhood.UX;
+import static org.hdispatch.sph.Neighbourhood.UY;
+import static org.hdispatch.sph.Neighbourhood.UZ;
+import static org.hdispatch.sph.Neighbourhood.VISCOSITY;
+import static org.hdispatch.sph.Neighbourhood.VOLUME;
+import static org.hdispatch.sph.Neighbourhood.X;
+import static org.hdispatch.sph.Neighbourhood.Y;
+import static org.hdispatch.sph.Neighbourhood.Z;
+
+/**
+ * Sums in plain Java, for any JVM and any kernel. Distances, kernel values and sums are taken one
+ * after the other for all neighbours of a particle, in loops short enough for the compiler to turn
+ * some of them into vector instructions.
+ */
+final class ScalarSums implements PairSums {
+  private final PairModel model;
+  private final SmoothingKernel kernel;
+  private double[] squares = new double[0];
+  private double[] weights = new double[0]; // W, or (dW/dr)/r
+  private double[] drag = new double[0];
+
+  ScalarSums(PairModel model) {
+    this.model = model;
+    kernel = model.kernel();
+  }
+
+  private void makeRoom(int most) {
+    if (squares.length < most) {
+      squares = new double[most + most / 4];
+      weights = new double[squares.length];
+      drag = new double[squares.length];
+    }
+  }
+
+  @Override
+  public void search(Neighbourhood near, double reach, NeighbourList list) {
+    int all = near.quads() * LANES;
+    makeRoom(all);
+    list.clear(near.ownCount(), near.quads());
+    int[] first = list.first();
+    char[] quads = list.quads();
+    double square = reach * reach;
+    int length = 0;
+    for (int i = 0; i < near.ownCount(); i++) {
+      squaresOfAll(near, near.own() + i, all, squares);
+      for (int n = 0; n < all; n += LANES) {
+        double least =
+            Math.min(
+                Math.min(squares[n], squares[n + 1]), Math.min(squares[n + 2], squares[n + 3]));
+        if (least < square) {
+          quads[length++] = (char) (n / LANES);
+        }
+      }
+      first[i + 1] = length;
+    }
+  }
+
+  private static void squaresOfAll(Neighbourhood near, int particle, int all, double[] squares) {
+    double[] values = near.values();
+    int y = Y * near.stride();
+    int z = Z * near.stride();
+    double xi = values[particle];
+    double yi = values[y + particle];
+    double zi = values[z + particle];
+    for (int n = 0; n < all; n++) {
+      squares[n] = square(xi - values[n], yi - values[y + n], zi - values[z + n]);
+    }
+  }
+
+  private static double square(double dx, double dy, double dz) {
+    return Math.fma(dz, dz, Math.fma(dy, dy, Math.fma(dx, dx, LEAST_SQUARE)));
+  }
+
+  @Override
+  public void density(Neighbourhood near, NeighbourList list, double[] density) {
+    makeRoom(near.quads() * LANES);
+    for (int i = 0; i < near.ownCount(); i++) {
+      int count = squaresOfListed(near, i, list);
+      kernel.weights(squares, weights, count);
+      double s0 = 0;
+      double s1 = 0;
+      double s2 = 0;
+      double s3 = 0;
+      for (int n = 0; n < count; n += LANES) {
+        s0 += weights[n];
+        s1 += weights[n + 1];
+        s2 += weights[n + 2];
+        s3 += weights[n + 3];
+      }
+      density[i] = (s0 + s1) + (s2 + s3);
+    }
+  }
+
+  private int squaresOfListed(Neighbourhood near, int i, NeighbourList list) {
+    double[] values = near.values();
+    char[] quads = list.quads();
+    double[] to = squares;
+    int y = Y * near.stride();
+    int z = Z * near.stride();
+    int particle = near.own() + i;
+    double xi = values[particle];
+    double yi = values[y + particle];
+    double zi = values[z + particle];
+    int count = 0;
+    for (int entry = list.first()[i]; entry < list.first()[i + 1]; entry++) {
+      int from = quads[entry] * LANES;
+      for (int n = from; n < from + LANES; n++) {
+        to[count++] = square(xi - values[n], yi - values[y + n], zi - values[z + n]);
+      }
+    }
+    return count;
+  }
+
+  @Override
+  public void force(Neighbourhood near, NeighbourList list, double[] x, double[] y, double[] z) {
+    makeRoom(near.quads() * LANES);
+    for (int i = 0; i < near.ownFluids(); i++) {
+      int count = squaresOfListed(near, i, list);
+      kernel.slopes(squares, weights, count);
+      if (model.uniform()) {
+        uniformDrag(near, i, list);
+      } else if (model.mean() == ViscosityMean.ARITHMETIC) {
+        arithmeticDrag(near, i, list);
+      } else {
+        harmonicDrag(near, i, list);
+      }
+      sum(near, i, list, x, y, z);
+    }
+  }
+
+  private void uniformDrag(Neighbourhood near, int i, NeighbourList list) {
+    double[] values = near.values();
+    int volume = VOLUME * near.stride();
+    double own = 2 * model.uniformViscosity() * values[volume + near.own() + i];
+    int count = 0;
+    for (int entry = list.first()[i]; entry < list.first()[i + 1]; entry++) {
+      int from = list.quads()[entry] * LANES;
+      for (int n = from; n < from + LANES; n++) {
+        drag[count] = own * values[volume + n] * weights[count];
+        count++;
+      }
+    }
+  }
+
+  private void arithmeticDrag(Neighbourhood near, int i, NeighbourList list) {
+    double[] values = near.values();
+    int volume = VOLUME * near.stride();
+    int viscosity = VISCOSITY * near.stride();
+    int depth = DEPTH * near.stride();
+    int particle = near.own() + i;
+    double own = values[volume + particle];
+    double mu = values[viscosity + particle];
+    double nearness = near.nearness()[i];
+    double most = model.wallFactor();
+    int count = 0;
+    for (int entry = list.first()[i]; entry < list.first()[i + 1]; entry++) {
+      int from = list.quads()[entry] * LANES;
+      for (int n = from; n < from + LANES; n++) {
+        double wall = Math.min(Math.fma(values[depth + n], nearness, 1), most);
+        double pair = (mu + values[viscosity + n]) * wall;
+        drag[count] = own * values[volume + n] * weights[count] * pair;
+        count++;
+      }
+    }
+  }
+
+  private void harmonicDrag(Neighbourhood near, int i, NeighbourList list) {
+    double[] values = near.values();
+    int volume = VOLUME * near.stride();
+    int viscosity = VISCOSITY * near.stride();
+    int depth = DEPTH * near.stride();
+    int particle = near.own() + i;
+    double own = values[volume + particle];
+    double fluidity = values[viscosity + particle];
+    double nearness = near.nearness()[i];
+    double most = model.wallFactor();
+    int count = 0;
+    for (int entry = list.first()[i]; entry < list.first()[i + 1]; entry++) {
+      int from = list.quads()[entry] * LANES;
+      for (int n = from; n < from + LANES; n++) {
+        double wall = Math.min(Math.fma(values[depth + n], nearness, 1), most);
+        double pair = 4 / (fluidity + values[viscosity + n]) * wall;
+        drag[count] = own * values[volume + n] * weights[count] * pair;
+        count++;
+      }
+    }
+  }
+
+  /** Adds up the forces of all neighbours: four partial sums for each direction. */
+  private void sum(
+      Neighbourhood near, int i, NeighbourList list, double[] x, double[] y, double[] z) {
+    double[] v = near.values();
+    double[] slopes = weights;
+    char[] quads = list.quads();
+    int s = near.stride();
+    int own = near.own() + i;
+    double xi = v[own];
+    double yi = v[Y * s + own];
+    double zi = v[Z * s + own];
+    double ux = v[UX * s + own];
+    double uy = v[UY * s + own];
+    double uz = v[UZ * s + own];
+    double pi = v[PRESSURE * s + own];
+    double x0 = 0;
+    double x1 = 0;
+    double x2 = 0;
+    double x3 = 0;
+    double y0 = 0;
+    double y1 = 0;
+    double y2 = 0;
+    double y3 = 0;
+    double z0 = 0;
+    double z1 = 0;
+    double z2 = 0;
+    double z3 = 0;
+    int k = 0;
+    for (int entry = list.first()[i]; entry < list.first()[i + 1]; entry++) {
+      int n = quads[entry] * LANES;
+      double p = -(pi + v[PRESSURE * s + n]) * slopes[k];
+      double m = drag[k];
+      x0 = Math.fma(ux - v[UX * s + n], m, Math.fma(xi - v[X * s + n], p, x0));
+      y0 = Math.fma(uy - v[UY * s + n], m, Math.fma(yi - v[Y * s + n], p, y0));
+      z0 = Math.fma(uz - v[UZ * s + n], m, Math.fma(zi - v[Z * s + n], p, z0));
+      p = -(pi + v[PRESSURE * s + n + 1]) * slopes[k + 1];
+      m = drag[k + 1];
+      x1 = Math.fma(ux - v[UX * s + n + 1], m, Math.fma(xi - v[X * s + n + 1], p, x1));
+      y1 = Math.fma(uy - v[UY * s + n + 1], m, Math.fma(yi - v[Y * s + n + 1], p, y1));
+      z1 = Math.fma(uz - v[UZ * s + n + 1], m, Math.fma(zi - v[Z * s + n + 1], p, z1));
+      p = -(pi + v[PRESSURE * s + n + 2]) * slopes[k + 2];
+      m = drag[k + 2];
+      x2 = Math.fma(ux - v[UX * s + n + 2], m, Math.fma(xi - v[X * s + n + 2], p, x2));
+      y2 = Math.fma(uy - v[UY * s + n + 2], m, Math.fma(yi - v[Y * s + n + 2], p, y2));
+      z2 = Math.fma(uz - v[UZ * s + n + 2], m, Math.fma(zi - v[Z * s + n + 2], p, z2));
+      p = -(pi + v[PRESSURE * s + n + 3]) * slopes[k + 3];
+      m = drag[k + 3];
+      x3 = Math.fma(ux - v[UX * s + n + 3], m, Math.fma(xi - v[X * s + n + 3], p, x3));
+      y3 = Math.fma(uy - v[UY * s + n + 3], m, Math.fma(yi - v[Y * s + n + 3], p, y3));
+      z3 = Math.fma(uz - v[UZ * s + n + 3], m, Math.fma(zi - v[Z * s + n + 3], p, z3));
+      k += LANES;
+    }
+    x[i] = (x0 + x1) + (x2 + x3);
+    y[i] = (y0 + y1) + (y2 + y3);
+    z[i] = (z0 + z1) + (z2 + z3);
+  }
+}
