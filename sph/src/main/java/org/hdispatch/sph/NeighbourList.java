@@ -45,7 +45,7 @@ public final class NeighbourList {
       first = new int[particles + particles / 8 + 1];
     }
     if (quads.length < length) {
-      quads = new char[length + length / 8];
+      quads = new char[length + length / 4];
     }
     System.arraycopy(other.first, 0, first, 0, particles + 1);
     System.arraycopy(other.quads, 0, quads, 0, length);

@@ -106,6 +106,9 @@ public final class Neighbourhood {
   /** Makes it empty, with room for so many particles. */
   void clear(int room) {
     count = 0;
+    own = 0;
+    ownCount = 0;
+    ownFluids = 0;
     if (room + LANES > stride) {
       // not a multiple of a page, or the planes would fight for the same lines of the cache
       stride = (room + room / 4 + 64) / 64 * 64 + 24;
@@ -153,6 +156,12 @@ public final class Neighbourhood {
     for (int n = 0; n < length; n++) {
       values[at + n] = ofPhase[phases[n]];
     }
+  }
+
+  /** Sets a quantity of the particles appended last to 0. */
+  void clearLast(int plane, int length) {
+    int end = plane * stride + count;
+    Arrays.fill(values, end - length, end, 0);
   }
 
   /** Fills the last quad up. */

@@ -44,7 +44,7 @@ final class ParticleArrays {
 
   /** Some more than asked for, so that a cell soon grows no more. */
   static int roomFor(int count) {
-    return count + count / 8 + 2;
+    return count + count / 6 + 2;
   }
 
   /** Copies a particle, which is then seen elsewhere. */

@@ -1,0 +1,47 @@
+package org.hdispatch.sph;
+
+import java.util.Objects;
+
+/**
+ * What particles are made of: a fluid, or a solid whose particles never move.
+ *
+ * @param name in texts
+ * @param solid whether it is a solid
+ * @param mass m of one particle
+ * @param viscosity dynamic viscosity mu; of a solid that of the fluid at its surface
+ * @param state pressure from density; that of a solid keeps fluid out
+ */
+public record Phase(
+    String name, boolean solid, double mass, double viscosity, EquationOfState state) {
+
+  /**
+   * Checks mass and viscosity.
+   *
+   * @throws IllegalArgumentException if either is not positive
+   */
+  public Phase {
+    Objects.requireNonNull(name, "name");
+    Objects.requireNonNull(state, "state");
+    Checks.positive("mass of a particle of " + name, "m", mass);
+    Checks.positive("viscosity of " + name, "mu", viscosity);
+  }
+
+  /**
+   * A fluid.
+   *
+   * @param mass m of one particle: its rest density over the number density at rest
+   */
+  public static Phase fluid(String name, double mass, double viscosity, EquationOfState state) {
+    return new Phase(name, false, mass, viscosity, state);
+  }
+
+  /** A solid at whose surface this fluid is at rest pressure. */
+  public static Phase wallOf(Phase fluid) {
+    return new Phase("wall of " + fluid.name, true, fluid.mass, fluid.viscosity, fluid.state);
+  }
+
+  /** Kinematic viscosity nu = mu/rho0. */
+  public double kinematicViscosity() {
+    return viscosity / state.restDensity();
+  }
+}

@@ -1,0 +1,216 @@
+package org.hdispatch.sph;
+
+import java.util.Arrays;
+import java.util.List;
+import java.util.function.Supplier;
+import org.hdispatch.cell.CellMap;
+import org.hdispatch.dispatch.Pass;
+import org.hdispatch.dispatch.Scheme;
+import org.hdispatch.dispatch.Tick;
+
+/**
+ * Smoothed particle hydrodynamics in the form of number densities (Tartakovsky, Meakin 2005; Hu,
+ * Adams 2006) as a scheme of three passes:
+ *
+ * <ol>
+ *   <li>"rehash": particles go to the cells that they are in; only where neighbours are searched
+ *       for;
+ *   <li>"density": n, from it the pressure;
+ *   <li>"force": forces, and the leapfrog.
+ * </ol>
+ *
+ * <p>Cells of the box without particles do not exist. Every bit is the same for any number of
+ * workers and any form of the sums; search modes and edges of cells change the order in which
+ * neighbours are added.
+ *
+ * <p>One loop may step it. A step that fails cannot be repeated.
+ */
+public final class SphScheme implements Scheme<ParticleCell, SphScratch> {
+  private final SmoothingKernel kernel;
+  private final Phase[] phases;
+  private final SearchMode mode;
+  private final double skin;
+  private final ParticleGrid grid;
+  private final CellMap<ParticleCell> cells;
+  private final Supplier<PairSums> sums;
+  private final Rehash rehash;
+  private final List<Pass<ParticleCell, SphScratch>> passes;
+  private final StepPlan plan = new StepPlan();
+  private int written; // buffer that holds the state
+  private boolean listed; // whether lists are good for the next step
+  private boolean fresh = true; // no step has been made
+  private double travelled; // at most, by a particle since lists were made
+  private double fastest;
+  private long rebuilds;
+  private long searchNanos;
+  private long densityNanos;
+  private long forceNanos;
+
+  SphScheme(SphSchemeBuilder settings, Particles particles) {
+    kernel = settings.kernel;
+    phases = settings.phases.toArray(Phase[]::new);
+    mode = settings.mode;
+    skin = mode == SearchMode.VERLET ? settings.skin() : 0;
+    double reach = kernel.supportRadius() + skin;
+    grid = new ParticleGrid(settings.box, settings.edge(reach));
+    sums = settings.form().of(settings.model());
+    plan.timeStep = settings.timeStep;
+    drive(settings.gx, settings.gy, settings.gz);
+    cells = Filling.of(grid, particles);
+    boolean[] solid = new boolean[phases.length];
+    double[] viscosities = new double[phases.length];
+    for (int phase = 0; phase < solid.length; phase++) {
+      solid[phase] = phases[phase].solid();
+      viscosities[phase] = settings.model().plane(phases[phase].viscosity());
+    }
+    double spacing = settings.spacing(particles.count());
+    rehash = new Rehash(cells, grid, plan, solid, settings.walls, spacing);
+    Surroundings surroundings = new Surroundings(grid, settings.model(), viscosities);
+    passes =
+        List.of(
+            new Pass<>("rehash", rehash),
+            new Pass<>("density", new DensityPass(surroundings, plan, mode, reach, phases)),
+            new Pass<>(
+                "force",
+                new ForcePass(
+                    surroundings, grid, plan, mode, reach, phases, settings.walls, spacing / 4)));
+  }
+
+  /** A builder with defaults for a box and a kernel. */
+  public static SphSchemeBuilder builder(ParticleBox box, SmoothingKernel kernel) {
+    return new SphSchemeBuilder(box, kernel);
+  }
+
+  @Override
+  public CellMap<ParticleCell> cells() {
+    return cells;
+  }
+
+  @Override
+  public SphScratch newScratch() {
+    return new SphScratch(sums.get(), rehash.bins());
+  }
+
+  @Override
+  public List<Pass<ParticleCell, SphScratch>> passes() {
+    return passes;
+  }
+
+  /**
+   * Sets the body force from the next step on.
+   *
+   * @param gx acceleration of all fluid along x
+   * @param gy along y
+   * @param gz along z
+   */
+  public void drive(double gx, double gy, double gz) {
+    plan.gx = gx;
+    plan.gy = gy;
+    plan.gz = gz;
+  }
+
+  @Override
+  public void beforeStep(Tick tick) {
+    boolean anew = mode != SearchMode.VERLET || !listed || 2 * travelled > skin;
+    plan.begin(written, anew);
+    plan.kick = fresh ? plan.timeStep / 2 : plan.timeStep;
+    if (anew) {
+      travelled = 0;
+      rebuilds++;
+    }
+  }
+
+  @Override
+  public void afterStep(Tick tick) {
+    double square = 0;
+    for (int n = 0; n < cells.size(); n++) {
+      ParticleCell cell = cells.cellAt(n);
+      square = Math.max(square, cell.fastestSquare);
+      searchNanos += cell.searchNanos;
+      densityNanos += cell.densityNanos;
+      forceNanos += cell.forceNanos;
+    }
+    fastest = Math.sqrt(square);
+    travelled += fastest * plan.timeStep;
+    written = plan.to;
+    listed = true;
+    fresh = false;
+  }
+
+  /** Speed of the fastest particle in the last step. */
+  public double fastest() {
+    return fastest;
+  }
+
+  /** How often neighbours were searched for in all cells. */
+  public long rebuilds() {
+    return rebuilds;
+  }
+
+  /** Time step. */
+  public double timeStep() {
+    return plan.timeStep;
+  }
+
+  /** The smoothing kernel. */
+  public SmoothingKernel kernel() {
+    return kernel;
+  }
+
+  /** Shows all particles, cell by cell, in an order that does not depend on workers. */
+  public void forEachParticle(ParticleVisitor visitor) {
+    for (int index = 0; index < cells.size(); index++) {
+      ParticleCell cell = cells.cellAt(index);
+      ParticleArrays from = cell.buffers[written];
+      for (int n = 0; n < cell.count; n++) {
+        double volume = fresh ? Double.NaN : cell.volume[n];
+        visitor.visit(
+            from.id[n],
+            from.phase[n],
+            from.x[n],
+            from.y[n],
+            from.z[n],
+            from.ux[n],
+            from.uy[n],
+            from.uz[n],
+            1 / volume,
+            fresh ? Double.NaN : cell.pressure[n] / (volume * volume));
+      }
+    }
+  }
+
+  /** Least and greatest density over rest density in a fluid, in the last step. */
+  public double[] compression() {
+    double least = Double.POSITIVE_INFINITY;
+    double most = 0;
+    for (int n = 0; n < cells.size(); n++) {
+      ParticleCell cell = cells.cellAt(n);
+      if (cell.fluids > 0) {
+        least = Math.min(least, cell.leastCompression);
+        most = Math.max(most, cell.mostCompression);
+      }
+    }
+    return new double[] {least, most};
+  }
+
+  /** Wall time that all workers together have spent, by kind of work, since this was made. */
+  public SphTimes times() {
+    return new SphTimes(1e-9 * searchNanos, 1e-9 * densityNanos, 1e-9 * forceNanos);
+  }
+
+  @Override
+  public String toString() {
+    return "SPH, "
+        + kernel
+        + ", "
+        + Arrays.toString(phases)
+        + ", "
+        + mode
+        + ", cells "
+        + grid.cells().nx()
+        + " x "
+        + grid.cells().ny()
+        + " x "
+        + grid.cells().nz();
+  }
+}

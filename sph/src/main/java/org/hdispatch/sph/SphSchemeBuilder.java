@@ -1,0 +1,220 @@
+package org.hdispatch.sph;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Objects;
+
+/** Settings of a scheme; each has a default but the phases and the time step. */
+public final class SphSchemeBuilder {
+  private static final double WALL_FACTOR = 3;
+  private static final double SKIN = 0.1; // of the support radius
+
+  final ParticleBox box;
+  final SmoothingKernel kernel;
+  final List<Phase> phases = new ArrayList<>();
+  SearchMode mode = SearchMode.VERLET;
+  WallDistance walls;
+  double timeStep = Double.NaN;
+  double gx;
+  double gy;
+  double gz;
+  private double skin = Double.NaN;
+  private double edge;
+  private ViscosityMean mean = ViscosityMean.ARITHMETIC;
+  private double wallFactor = WALL_FACTOR;
+  private SumForm form;
+
+  SphSchemeBuilder(ParticleBox box, SmoothingKernel kernel) {
+    this.box = Objects.requireNonNull(box, "box");
+    this.kernel = Objects.requireNonNull(kernel, "kernel");
+    if (box.dimensions() != kernel.dimensions()) {
+      throw new IllegalArgumentException(
+          "kernel must have the dimensions of the box: kernel="
+              + kernel.dimensions()
+              + ", box="
+              + box.dimensions());
+    }
+  }
+
+  /** Adds a phase; phases are numbered from 0 in this order. */
+  public SphSchemeBuilder phase(Phase phase) {
+    phases.add(Objects.requireNonNull(phase, "phase"));
+    return this;
+  }
+
+  /** Sets when neighbours are searched for. Default: {@link SearchMode#VERLET}. */
+  public SphSchemeBuilder search(SearchMode search) {
+    mode = Objects.requireNonNull(search, "search");
+    return this;
+  }
+
+  /**
+   * Sets how far beyond the support {@link SearchMode#VERLET} lists neighbours. Default: a tenth of
+   * the support radius.
+   *
+   * @throws IllegalArgumentException if it is not positive
+   */
+  public SphSchemeBuilder skin(double length) {
+    Checks.positive("skin", "skin", length);
+    skin = length;
+    return this;
+  }
+
+  double skin() {
+    return Double.isNaN(skin) ? SKIN * kernel.supportRadius() : skin;
+  }
+
+  /**
+   * Sets the edge of a cell, which is made to fit the box: what a worker takes at a time, and so
+   * how much of its cache it needs. Default: as short as may be.
+   *
+   * @param length at least the support radius, and the skin where there is one
+   */
+  public SphSchemeBuilder cellEdge(double length) {
+    Checks.positive("cell edge", "edge", length);
+    edge = length;
+    return this;
+  }
+
+  double edge(double reach) {
+    if (edge != 0 && edge < reach) {
+      throw new IllegalArgumentException(
+          "cell edge must be at least the support radius and the skin: edge="
+              + edge
+              + ", support="
+              + kernel.supportRadius()
+              + ", skin="
+              + (reach - kernel.supportRadius()));
+    }
+    return edge == 0 ? reach : edge;
+  }
+
+  /** Sets the viscosity of unlike pairs. Default: {@link ViscosityMean#ARITHMETIC}. */
+  public SphSchemeBuilder viscosityMean(ViscosityMean of) {
+    mean = Objects.requireNonNull(of, "mean");
+    return this;
+  }
+
+  /**
+   * Sets where the walls are. Needed where there are solid particles.
+   *
+   * @param distance of a place from the nearest wall
+   */
+  public SphSchemeBuilder walls(WallDistance distance) {
+    walls = Objects.requireNonNull(distance, "distance");
+    return this;
+  }
+
+  /**
+   * Sets beta_max, how many times its own velocity a fluid particle may differ from the wall's in
+   * the viscous force (Morris et al. 1997: 1.5). Default: 3, which errs less.
+   */
+  public SphSchemeBuilder wallFactor(double most) {
+    wallFactor = most;
+    return this;
+  }
+
+  /** Sets the body force, an acceleration of all fluid. Default: none. */
+  public SphSchemeBuilder bodyForce(double x, double y, double z) {
+    gx = x;
+    gy = y;
+    gz = z;
+    return this;
+  }
+
+  /**
+   * Sets the time step; {@link TimeStep} tells what is allowed.
+   *
+   * @throws IllegalArgumentException if it is not positive
+   */
+  public SphSchemeBuilder timeStep(double dt) {
+    Checks.positive("time step", "dt", dt);
+    timeStep = dt;
+    return this;
+  }
+
+  /** Sets the form of the sums. Default: the fastest that this JVM has. */
+  public SphSchemeBuilder form(SumForm sums) {
+    form = Objects.requireNonNull(sums, "sums");
+    return this;
+  }
+
+  SumForm form() {
+    return form == null ? SumForm.fastest(kernel) : form;
+  }
+
+  PairModel model() {
+    double viscosity = phases.get(0).viscosity();
+    boolean alike = phases.stream().allMatch(phase -> phase.viscosity() == viscosity);
+    return new PairModel(kernel, mean, alike ? viscosity : Double.NaN, walls != null, wallFactor);
+  }
+
+  /** Distance of particles if they fill the box: what bins of a cell are as long as. */
+  double spacing(int particles) {
+    return Math.pow(box.volume() / particles, 1.0 / box.dimensions());
+  }
+
+  /**
+   * The scheme.
+   *
+   * @throws IllegalArgumentException if there is no phase, a phase has no particles, a particle is
+   *     of no phase, lies outside the box or in a wall, or solids have no walls
+   * @throws IllegalStateException if the time step is not set, or this JVM lacks the form of sums
+   */
+  public SphScheme build(Particles particles) {
+    if (Double.isNaN(timeStep)) {
+      throw new IllegalStateException("time step must be set");
+    }
+    check(particles);
+    return new SphScheme(this, particles);
+  }
+
+  private void check(Particles particles) {
+    if (phases.isEmpty()) {
+      throw new IllegalArgumentException("there must be a phase: phases=0");
+    }
+    int[] ofPhase = new int[phases.size()];
+    for (int n = 0; n < particles.count(); n++) {
+      int phase = particles.phase(n);
+      if (phase < 0 || phase >= phases.size()) {
+        throw new IllegalArgumentException(
+            "phase of a particle must be one of the scheme's: particle=" + n + ", phase=" + phase);
+      }
+      ofPhase[phase]++;
+      checkPlace(particles, n, phases.get(phase));
+    }
+    for (int phase = 0; phase < ofPhase.length; phase++) {
+      if (ofPhase[phase] == 0) {
+        throw new IllegalArgumentException(
+            "phase must have particles: phase=" + phases.get(phase).name());
+      }
+      if (phases.get(phase).solid() && walls == null) {
+        throw new IllegalArgumentException(
+            "walls must be set where there is a solid: phase=" + phases.get(phase).name());
+      }
+    }
+  }
+
+  private void checkPlace(Particles particles, int n, Phase phase) {
+    double x = particles.x(n);
+    double y = particles.y(n);
+    double z = particles.z(n);
+    boolean inside =
+        x >= 0
+            && x < box.lx()
+            && y >= 0
+            && y < box.ly()
+            && (box.dimensions() == 2 ? z == 0 : z >= 0 && z < box.lz());
+    if (!inside) {
+      throw new IllegalArgumentException(
+          "particle must lie in the box: particle=" + n + ", x=" + x + ", y=" + y + ", z=" + z);
+    }
+    if (!phase.solid() && walls != null && !(walls.at(x, y, z) > 0)) {
+      throw new IllegalArgumentException(
+          "fluid particle must not lie in a wall: particle="
+              + n
+              + ", distance="
+              + walls.at(x, y, z));
+    }
+  }
+}
