@@ -5,4 +5,5 @@ module org.hdispatch.sph {
   uses org.hdispatch.sph.PairSumsProvider;
 
   exports org.hdispatch.sph;
+  exports org.hdispatch.sph.cases;
 }

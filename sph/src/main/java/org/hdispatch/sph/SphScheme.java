@@ -129,6 +129,9 @@ public final class SphScheme implements Scheme<ParticleCell, SphScratch> {
       searchNanos += cell.searchNanos;
       densityNanos += cell.densityNanos;
       forceNanos += cell.forceNanos;
+      cell.searchNanos = 0;
+      cell.densityNanos = 0;
+      cell.forceNanos = 0;
     }
     fastest = Math.sqrt(square);
     travelled += fastest * plan.timeStep;
