@@ -1,17 +1,16 @@
 """lbmpy and ours by turns in one run; see run.sh. Ratios are of readings that follow each other."""
 
 import argparse
-import json
 import os
 import pathlib
 import re
 import shlex
-import statistics
 import subprocess
 import sys
 from importlib import metadata
 
-ROOT = pathlib.Path(__file__).resolve().parents[3]
+from records import ROOT, environment, java, keep, machine, plain, reply_of, said, say, spread
+
 DUCT = (
     "./hdispatch duct --size {size} --threads {threads} --lattice {lattice} --storage {storage}"
     " --streaming STREAMING --steps {steps} --json"
@@ -99,18 +98,8 @@ class Ours:
         return found[-1] if found else default
 
     def read(self):
-        done = subprocess.run(self.command, shell=True, cwd=ROOT, capture_output=True, text=True)
-        try:
-            if done.returncode:
-                raise ValueError(f"exit code {done.returncode}")
-            reply, _ = json.JSONDecoder().raw_decode(done.stdout, done.stdout.index("{"))
-            mlups = float(reply["mlups_median"])
-            if not 0 < mlups < float("inf"):
-                raise ValueError(f"mlups_median must be positive: {mlups}")
-            return {"mlupsMedian": mlups, "reply": reply}
-        except (ValueError, KeyError) as fault:
-            said = (done.stderr or done.stdout)[-2000:]
-            raise SystemExit(f"no reading ({fault!r}) of: {self.command}\n{said}") from fault
+        reply = reply_of(self.command, ["mlups_median"])
+        return {"mlupsMedian": float(reply["mlups_median"]), "reply": reply}
 
 
 def default_ours():
@@ -198,11 +187,6 @@ def beside(form, mlups, before, after):
     return {"GBps": traffic, "besideGBps": bandwidth, "fraction": traffic / bandwidth}
 
 
-def spread(values):
-    values = list(values)
-    return {"median": statistics.median(values), "min": min(values), "max": max(values)}
-
-
 def summary(readings):
     """A record for each of ours, then one for each form of lbmpy with all its readings."""
     pairs, alone = {}, {}
@@ -268,28 +252,6 @@ def table(results):
         )
 
 
-def plain(text):
-    """Without this machine's folders."""
-    return re.sub(r"(?<![\w.~}])/(?:[^\s/'\":;=]+/)+", "", text.replace(str(ROOT), "."))
-
-
-def compact(result):
-    """JSON with figures of four decimals and each list of figures on a line of its own."""
-    figures = json.loads(json.dumps(result), parse_float=lambda text: round(float(text), 4))
-    return re.sub(
-        r"\[[\d\s.,e+-]+\]", lambda found: " ".join(found[0].split()), json.dumps(figures, indent=1)
-    )
-
-
-def said(*command):
-    """The first line that a program says of itself."""
-    try:
-        done = subprocess.run(command, cwd=ROOT, capture_output=True, text=True)
-    except FileNotFoundError:
-        return None
-    return ((done.stdout + done.stderr).splitlines() or [None])[0]
-
-
 def memory_held():
     """GiB of this process, and how much of it lies in huge pages."""
     rollup = pathlib.Path("/proc/self/smaps_rollup").read_text()
@@ -301,38 +263,25 @@ def memory_held():
 
 
 def surroundings():
-    cpu = re.search(r"model name\s*:\s*(.*)", pathlib.Path("/proc/cpuinfo").read_text())
-    java = os.environ.get("JAVA_HOME")
     return {
         "command": plain(shlex.join(["jmh/peers/lbmpy/run.sh"] + sys.argv[3:])),
         "versions": {name: metadata.version(name) for name in ("lbmpy", "pystencils", "sympy", "numpy")}
         | {
             "python": sys.version.split()[0],
             "g++": said("g++", "--version"),
-            "java": said(f"{java}/bin/java" if java else "java", "-version"),
+            "java": java(),
             "ours": said("git", "describe", "--always", "--dirty"),
         },
         "kernelCompiler": lbm.compiler(),
         "probeCompiler": os.environ.get("PROBE_COMPILER"),
         "target": str(lbm.target()),
-        "processor": cpu[1] if cpu else None,
-        "processors": os.cpu_count(),
-        "memoryGiB": round(os.sysconf("SC_PAGE_SIZE") * os.sysconf("SC_PHYS_PAGES") / 2**30, 1),
-        "loadBefore": os.getloadavg(),
-        "environment": {
-            name: plain(value)
-            for name, value in sorted(os.environ.items())
-            if name.startswith(("OMP_", "GOMP_", "HDISPATCH_", "JAVA_TOOL_OPTIONS"))
-        },
+        **machine(),
+        "environment": environment("OMP_", "GOMP_", "HDISPATCH_", "JAVA_TOOL_OPTIONS"),
         "threads": options.threads,
         "steps": options.steps,
         "rounds": options.rounds,
         "probeGiB": options.probe_size,
     }
-
-
-def say(text):
-    print(text, file=sys.stderr, flush=True)
 
 
 def main():
@@ -348,10 +297,7 @@ def main():
     result["results"] = summary(result["readings"])
     print("\n".join(table(result["results"])))
     if options.output:
-        file = pathlib.Path(options.output)
-        temporary = file.with_name(file.name + ".part")
-        temporary.write_text(compact(result) + "\n")
-        temporary.replace(file)
+        keep(result, options.output)
 
 
 main()

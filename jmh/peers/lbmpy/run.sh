@@ -41,5 +41,5 @@ fi
 
 # Threads that spin for long after a sweep would take ours their cores.
 unset OMP_WAIT_POLICY GOMP_SPINCOUNT
-export PYTHONDONTWRITEBYTECODE=1 PROBE_COMPILER="$($compiler --version | head -1), $flags"
+export PYTHONDONTWRITEBYTECODE=1 PYTHONPATH="$here/.." PROBE_COMPILER="$($compiler --version | head -1), $flags"
 exec "$scratch/venv/bin/python" "$here/peer.py" --scratch "$scratch" "$@"
