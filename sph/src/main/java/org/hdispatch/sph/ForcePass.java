@@ -23,6 +23,7 @@ final class ForcePass implements CellKernel<ParticleCell, SphScratch> {
   private final Phase[] phases;
   private final WallDistance walls; // null: none
   private final double leastDistance; // from a wall
+  private final AccelerationField field; // null: none
 
   ForcePass(
       Surroundings surroundings,
@@ -32,7 +33,8 @@ final class ForcePass implements CellKernel<ParticleCell, SphScratch> {
       double reach,
       Phase[] phases,
       WallDistance walls,
-      double leastDistance) {
+      double leastDistance,
+      AccelerationField field) {
     this.surroundings = surroundings;
     this.grid = grid;
     this.plan = plan;
@@ -41,6 +43,7 @@ final class ForcePass implements CellKernel<ParticleCell, SphScratch> {
     this.phases = phases;
     this.walls = walls;
     this.leastDistance = leastDistance;
+    this.field = field;
   }
 
   @Override
@@ -66,6 +69,9 @@ final class ForcePass implements CellKernel<ParticleCell, SphScratch> {
     }
     scratch.makeRoom(cell.count);
     scratch.sums.force(scratch.near, list, scratch.forceX, scratch.forceY, scratch.forceZ);
+    if (field != null) {
+      addField(cell, scratch);
+    }
     move(cell, scratch, tick);
     cell.searchNanos += found - begin;
     cell.forceNanos = System.nanoTime() - found;
@@ -88,6 +94,18 @@ final class ForcePass implements CellKernel<ParticleCell, SphScratch> {
     for (int n = 0; n < cell.fluids; n++) {
       double distance = walls.at(at.x[n], at.y[n], at.z[n]);
       nearness[n] = 1 / Math.max(distance, leastDistance);
+    }
+  }
+
+  private void addField(ParticleCell cell, SphScratch scratch) {
+    ParticleArrays at = cell.buffers[plan.at];
+    double[] a = scratch.acceleration;
+    for (int n = 0; n < cell.fluids; n++) {
+      field.at(at.x[n], at.y[n], at.z[n], a);
+      double mass = phases[at.phase[n]].mass();
+      scratch.forceX[n] = Math.fma(mass, a[0], scratch.forceX[n]);
+      scratch.forceY[n] = Math.fma(mass, a[1], scratch.forceY[n]);
+      scratch.forceZ[n] = Math.fma(mass, a[2], scratch.forceZ[n]);
     }
   }
 

@@ -73,7 +73,15 @@ public final class SphScheme implements Scheme<ParticleCell, SphScratch> {
             new Pass<>(
                 "force",
                 new ForcePass(
-                    surroundings, grid, plan, mode, reach, phases, settings.walls, spacing / 4)));
+                    surroundings,
+                    grid,
+                    plan,
+                    mode,
+                    reach,
+                    phases,
+                    settings.walls,
+                    spacing / 4,
+                    settings.field)));
   }
 
   /** A builder with defaults for a box and a kernel. */

@@ -14,6 +14,7 @@ public final class SphSchemeBuilder {
   final List<Phase> phases = new ArrayList<>();
   SearchMode mode = SearchMode.VERLET;
   WallDistance walls;
+  AccelerationField field;
   double timeStep = Double.NaN;
   double gx;
   double gy;
@@ -119,6 +120,12 @@ public final class SphSchemeBuilder {
     gx = x;
     gy = y;
     gz = z;
+    return this;
+  }
+
+  /** Sets an acceleration beside the body force. Default: none. */
+  public SphSchemeBuilder accelerationField(AccelerationField accelerations) {
+    field = Objects.requireNonNull(accelerations, "accelerations");
     return this;
   }
 

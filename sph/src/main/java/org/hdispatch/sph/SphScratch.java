@@ -11,6 +11,7 @@ public final class SphScratch {
   double[] forceX = new double[0];
   double[] forceY = new double[0];
   double[] forceZ = new double[0];
+  final double[] acceleration = new double[3];
 
   // particles picked for a cell: slot and index of each, and the bin it goes to
   int[] slots = new int[0];
