@@ -1,0 +1,175 @@
+package org.hdispatch.porous.flow;
+
+import org.hdispatch.dispatch.Dispatcher;
+import org.hdispatch.lbm.Lattice;
+import org.hdispatch.poisson.ConjugateGradients;
+import org.hdispatch.poisson.LinkMean;
+import org.hdispatch.poisson.NodeField;
+import org.hdispatch.poisson.PoissonProblem;
+import org.hdispatch.poisson.Side;
+import org.hdispatch.porous.image.Axis;
+
+/**
+ * Flow by Darcy's law from node to node: u = K/nu (g - grad p), div u = sources, a Laplace problem
+ * on the fluid nodes of a domain, whatever method it is then used by. The mobility K of a node is
+ * the profile of laminar flow through its pore, laplacian K = -1 with K = 0 on the walls: in a slit
+ * it is the flow itself.
+ *
+ * <p>Every bit is the same for any number of workers.
+ */
+final class DarcyFlow {
+  private static final double START_TOLERANCE = 1e-3;
+  private static final double CORRECTION_TOLERANCE = 0.1;
+  private static final int MOST_ITERATIONS = 100;
+
+  private final FlowDomain domain;
+  private final Lattice lattice;
+  private final Axis axis;
+  private final double viscosity;
+  private final double[] mobility; // by node, voxel²; 0 in the solid
+  private final double[] field; // by node: a pressure over density
+  private final ConjugateGradients solver;
+  private double force; // that goes with the pressure in the field
+  private double scale; // of all mobilities
+  private double startFlux;
+
+  /**
+   * Sets the problem up.
+   *
+   * @param viscosity kinematic viscosity, voxel²/step
+   */
+  DarcyFlow(Dispatcher dispatcher, FlowDomain domain, double viscosity) {
+    this.domain = domain;
+    this.viscosity = viscosity;
+    lattice = domain.lattice();
+    axis = domain.axis();
+    field = new double[Math.multiplyExact(lattice.nx() * lattice.ny(), lattice.nz())];
+    mobility = profiles(dispatcher);
+    PoissonProblem.Builder between = problem().mobility((x, y, z) -> mobility[index(x, y, z)]);
+    for (Side side : Side.values()) {
+      if (domain.isPressed(side.axis())) {
+        between.fixed(side, 0); // what drives the flow is the force
+      }
+    }
+    solver = ConjugateGradients.on(dispatcher, between.build());
+  }
+
+  private PoissonProblem.Builder problem() {
+    return PoissonProblem.box(lattice.nx(), lattice.ny(), lattice.nz())
+        .ends(lattice.x(), lattice.y(), lattice.z());
+  }
+
+  /**
+   * The profile of laminar flow at each node. The half spacing to the wall makes the discrete one
+   * too large by 1/8 at every node of a slit.
+   */
+  private double[] profiles(Dispatcher dispatcher) {
+    PoissonProblem.Builder walled =
+        problem().mobility((x, y, z) -> lattice.nodes().fluid(x, y, z) ? 1 : 0).fixedWalls(0);
+    for (Side side : Side.values()) {
+      if (domain.isWalled(side.axis())) {
+        walled.fixed(side, 0);
+      }
+    }
+    ConjugateGradients profile = ConjugateGradients.on(dispatcher, walled.build());
+    profile.addSources((x, y, z) -> 1);
+    profile.solve(START_TOLERANCE, MOST_ITERATIONS);
+    double[] profiles = new double[field.length];
+    profile.forEachNode(
+        (x, y, z, value) -> profiles[index(x, y, z)] = Math.max(value - 0.125, value / 2));
+    return profiles;
+  }
+
+  private int index(int x, int y, int z) {
+    return x + lattice.nx() * (y + lattice.ny() * z);
+  }
+
+  /**
+   * Pressure over density by node, x fastest: what was found last. It is the caller's until the
+   * next solution: what is to be a source may be gathered in it.
+   */
+  double[] field() {
+    return field;
+  }
+
+  /**
+   * Finds the flow that a body force drives.
+   *
+   * @param bodyForce along the flow
+   */
+  void start(double bodyForce) {
+    force = bodyForce;
+    scale = 1;
+    solver.clearSources();
+    solver.clearSolution();
+    solver.addForce(
+        axis == Axis.X ? force : 0, axis == Axis.Y ? force : 0, axis == Axis.Z ? force : 0);
+    solver.solve(START_TOLERANCE, MOST_ITERATIONS);
+    solver.forEachNode((x, y, z, p) -> field[index(x, y, z)] = p);
+    double[] sum = new double[1];
+    solver.forEachNode((x, y, z, p) -> sum[0] += velocity(x, y, z, axis));
+    startFlux = sum[0] / axis.length(lattice.nx(), lattice.ny(), lattice.nz());
+  }
+
+  /**
+   * Sets the sources: what gathers in the flow so far.
+   *
+   * @param gathering share of a node's volume that it gains in a step
+   * @param flux through a section now: what the mobilities are scaled to
+   * @return root of the sum of the squares of all sources
+   */
+  double gather(NodeField gathering, double flux) {
+    force = 0;
+    scale = Math.max(0.1, Math.min(10, flux / startFlux));
+    solver.clearSources();
+    solver.clearSolution();
+    solver.scaleMobility(scale);
+    double[] squares = new double[1];
+    solver.addSources(
+        (x, y, z) -> {
+          double source = viscosity * gathering.at(x, y, z);
+          squares[0] += source * source;
+          return source;
+        });
+    return Math.sqrt(squares[0]);
+  }
+
+  /** Finds the flow that drives away what gathers. */
+  void correct() {
+    solver.solve(CORRECTION_TOLERANCE, MOST_ITERATIONS);
+    solver.forEachNode((x, y, z, p) -> field[index(x, y, z)] = p);
+  }
+
+  /** Pressure over density of a node, as found last. */
+  double pressure(int x, int y, int z) {
+    return field[index(x, y, z)];
+  }
+
+  /** The flow that goes with the pressure in the field: mean over the two faces of a node. */
+  double velocity(int x, int y, int z, Axis way) {
+    int dx = way == Axis.X ? 1 : 0;
+    int dy = way == Axis.Y ? 1 : 0;
+    int dz = way == Axis.Z ? 1 : 0;
+    double in = drop(x, y, z, x - dx, y - dy, z - dz, way);
+    double out = drop(x, y, z, x + dx, y + dy, z + dz, way);
+    return scale / (2 * viscosity) * (in - out);
+  }
+
+  /** Mobility times what drives fluid in from a neighbour, 0 from a wall. */
+  private double drop(int x, int y, int z, int xn, int yn, int zn, Axis way) {
+    int xi = lattice.x().wrap(xn, lattice.nx());
+    int yj = lattice.y().wrap(yn, lattice.ny());
+    int zk = lattice.z().wrap(zn, lattice.nz());
+    int here = index(x, y, z);
+    double driven = way != axis ? 0 : xn < x || yn < y || zn < z ? force : -force;
+    if (xi < 0 || yj < 0 || zk < 0) { // half way to the plenum, at twice the mobility
+      return domain.isPressed(way.ordinal()) ? mobility[here] * (driven - 2 * field[here]) : 0;
+    }
+    double there = mobility[index(xi, yj, zk)];
+    if (there == 0) {
+      return 0;
+    }
+    double fall = field[index(xi, yj, zk)] - field[here] + driven;
+    return LinkMean.HARMONIC.of(mobility[here], there) * fall;
+  }
+}
