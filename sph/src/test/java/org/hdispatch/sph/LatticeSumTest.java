@@ -23,9 +23,6 @@ import org.junit.jupiter.params.provider.CsvSource;
  */
 class LatticeSumTest {
 
-  /** Farther than any support radius tested, in lattice spacings. */
-  private static final int REACH = 5;
-
   // Computed independently of this code (project notes, table of kernels); to the digits given.
   @ParameterizedTest(name = "{0} h={1} dx")
   @CsvSource({
@@ -48,12 +45,12 @@ class LatticeSumTest {
       String density3d,
       String laplacian2d,
       String laplacian3d) {
-    LatticeSums plane = new LatticeSums(form.of(smoothingLength, 2));
-    LatticeSums space = new LatticeSums(form.of(smoothingLength, 3));
-    assertEquals(neighbours2d, plane.neighbours);
-    assertEquals(neighbours3d, space.neighbours);
-    assertEqualToTheDigitsGiven(density2d, plane.density);
-    assertEqualToTheDigitsGiven(density3d, space.density);
+    LatticeSum plane = LatticeSum.of(form.of(smoothingLength, 2), 1);
+    LatticeSum space = LatticeSum.of(form.of(smoothingLength, 3), 1);
+    assertEquals(neighbours2d, plane.neighbours());
+    assertEquals(neighbours3d, space.neighbours());
+    assertEqualToTheDigitsGiven(density2d, plane.numberDensity());
+    assertEqualToTheDigitsGiven(density3d, space.numberDensity());
     assertEqualToTheDigitsGiven(laplacian2d, plane.laplacianFactor());
     assertEqualToTheDigitsGiven(laplacian3d, space.laplacianFactor());
   }
@@ -74,38 +71,6 @@ class LatticeSumTest {
         case CUBIC -> new CubicSpline(smoothingLength, dimensions);
         case WENDLAND -> new WendlandC2(smoothingLength, dimensions);
       };
-    }
-  }
-
-  private static final class LatticeSums {
-    private final SmoothingKernel kernel;
-    private int neighbours;
-    private double density;
-    private double virial; // sum_j r_j W'(r_j)
-
-    LatticeSums(SmoothingKernel kernel) {
-      this.kernel = kernel;
-      int layers = kernel.dimensions() == 3 ? REACH : 0;
-      for (int k = -layers; k <= layers; k++) {
-        for (int j = -REACH; j <= REACH; j++) {
-          for (int i = -REACH; i <= REACH; i++) {
-            add(Math.sqrt(i * i + j * j + k * k));
-          }
-        }
-      }
-    }
-
-    private void add(double r) {
-      density += kernel.w(r);
-      virial += r * kernel.dwdr(r);
-      // strictly inside: a lattice point at the support radius itself must not be counted
-      if (r > 0 && r < kernel.supportRadius() * (1 - 1e-9)) {
-        neighbours++;
-      }
-    }
-
-    double laplacianFactor() {
-      return -virial / (kernel.dimensions() * density);
     }
   }
 }
