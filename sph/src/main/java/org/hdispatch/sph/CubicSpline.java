@@ -22,12 +22,19 @@ public final class CubicSpline extends SmoothingKernel {
    *     nor 3
    */
   public CubicSpline(double smoothingLength, int dimensions) {
-    super("cubic spline", 2, smoothingLength, dimensions, 10 / (7 * Math.PI), 1 / Math.PI);
+    super(
+        "cubic spline",
+        2,
+        smoothingLength,
+        dimensions,
+        10 / (7 * Math.PI) / 32,
+        1 / Math.PI / 32,
+        -6);
   }
 
   @Override
   double shape(double q) {
-    return valueAt(q);
+    return shapeAt(q);
   }
 
   @Override
@@ -36,29 +43,30 @@ public final class CubicSpline extends SmoothingKernel {
   }
 
   @Override
-  public void weights(double[] squares, double[] weights, int count) {
+  void shapes(double[] squares, double[] shapes, int count) {
     for (int n = 0; n < count; n++) {
-      weights[n] = valueFactor * valueAt(Math.sqrt(squares[n]) * inverseLength);
+      shapes[n] = shapeAt(Math.sqrt(squares[n]) * inverseLength);
     }
   }
 
   @Override
-  public void slopes(double[] squares, double[] slopes, int count) {
+  void slopes(double[] squares, double[] slopes, int count) {
     for (int n = 0; n < count; n++) {
-      slopes[n] = slopeFactor * slopeOverDistanceAt(Math.sqrt(squares[n]) * inverseLength);
+      slopes[n] = slopeOverDistanceAt(Math.sqrt(squares[n]) * inverseLength);
     }
   }
 
-  private static double valueAt(double q) {
-    double a = Math.max(2 - q, 0);
-    double b = Math.max(1 - q, 0);
-    return Math.fma(b * b * b, -1, 0.25 * (a * a * a));
+  /** (2 a)^3 - 4 (2 b)^3 = 32 W/s. */
+  private static double shapeAt(double q) {
+    double a = twicePositive(2 - q);
+    double b = twicePositive(1 - q);
+    return Math.fma(b * b * b, -4, a * a * a);
   }
 
   private static double slopeAt(double q) {
-    double a = Math.max(2 - q, 0);
-    double b = Math.max(1 - q, 0);
-    return Math.fma(b * b, 3, -0.75 * (a * a));
+    double a = twicePositive(2 - q);
+    double b = twicePositive(1 - q);
+    return Math.fma(b * b, -4, a * a);
   }
 
   private static double slopeOverDistanceAt(double q) {

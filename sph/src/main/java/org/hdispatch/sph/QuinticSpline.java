@@ -23,12 +23,18 @@ public final class QuinticSpline extends SmoothingKernel {
    */
   public QuinticSpline(double smoothingLength, int dimensions) {
     super(
-        "quintic spline", 3, smoothingLength, dimensions, 7 / (478 * Math.PI), 1 / (120 * Math.PI));
+        "quintic spline",
+        3,
+        smoothingLength,
+        dimensions,
+        7 / (478 * Math.PI) / 32,
+        1 / (120 * Math.PI) / 32,
+        -10);
   }
 
   @Override
   double shape(double q) {
-    return valueAt(q);
+    return shapeAt(q);
   }
 
   @Override
@@ -37,23 +43,24 @@ public final class QuinticSpline extends SmoothingKernel {
   }
 
   @Override
-  public void weights(double[] squares, double[] weights, int count) {
+  void shapes(double[] squares, double[] shapes, int count) {
     for (int n = 0; n < count; n++) {
-      weights[n] = valueFactor * valueAt(Math.sqrt(squares[n]) * inverseLength);
+      shapes[n] = shapeAt(Math.sqrt(squares[n]) * inverseLength);
     }
   }
 
   @Override
-  public void slopes(double[] squares, double[] slopes, int count) {
+  void slopes(double[] squares, double[] slopes, int count) {
     for (int n = 0; n < count; n++) {
-      slopes[n] = slopeFactor * slopeOverDistanceAt(Math.sqrt(squares[n]) * inverseLength);
+      slopes[n] = slopeOverDistanceAt(Math.sqrt(squares[n]) * inverseLength);
     }
   }
 
-  private static double valueAt(double q) {
-    double a = Math.max(3 - q, 0);
-    double b = Math.max(2 - q, 0);
-    double c = Math.max(1 - q, 0);
+  /** (2 a)^5 - 6 (2 b)^5 + 15 (2 c)^5 = 32 W/s. */
+  private static double shapeAt(double q) {
+    double a = twicePositive(3 - q);
+    double b = twicePositive(2 - q);
+    double c = twicePositive(1 - q);
     double a2 = a * a;
     double b2 = b * b;
     double c2 = c * c;
@@ -61,13 +68,13 @@ public final class QuinticSpline extends SmoothingKernel {
   }
 
   private static double slopeAt(double q) {
-    double a = Math.max(3 - q, 0);
-    double b = Math.max(2 - q, 0);
-    double c = Math.max(1 - q, 0);
+    double a = twicePositive(3 - q);
+    double b = twicePositive(2 - q);
+    double c = twicePositive(1 - q);
     double a2 = a * a;
     double b2 = b * b;
     double c2 = c * c;
-    return Math.fma(c2 * c2, -75, Math.fma(b2 * b2, 30, -5 * (a2 * a2)));
+    return Math.fma(c2 * c2, 15, Math.fma(b2 * b2, -6, a2 * a2));
   }
 
   private static double slopeOverDistanceAt(double q) {

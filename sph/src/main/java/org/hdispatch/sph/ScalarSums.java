@@ -81,7 +81,7 @@ final class ScalarSums implements PairSums {
     makeRoom(near.quads() * LANES);
     for (int i = 0; i < near.ownCount(); i++) {
       int count = squaresOfListed(near, i, list);
-      kernel.weights(squares, weights, count);
+      kernel.shapes(squares, weights, count);
       double s0 = 0;
       double s1 = 0;
       double s2 = 0;
@@ -92,7 +92,7 @@ final class ScalarSums implements PairSums {
         s2 += weights[n + 2];
         s3 += weights[n + 3];
       }
-      density[i] = (s0 + s1) + (s2 + s3);
+      density[i] = kernel.valueFactor() * ((s0 + s1) + (s2 + s3));
     }
   }
 
@@ -161,7 +161,8 @@ final class ScalarSums implements PairSums {
     for (int entry = list.first()[i]; entry < list.first()[i + 1]; entry++) {
       int from = list.quads()[entry] * LANES;
       for (int n = from; n < from + LANES; n++) {
-        double wall = Math.min(Math.fma(values[depth + n], nearness, 1), most);
+        double wall = Math.fma(values[depth + n], nearness, 1);
+        wall = wall > most ? most : wall;
         double pair = (mu + values[viscosity + n]) * wall;
         drag[count] = own * values[volume + n] * weights[count] * pair;
         count++;
@@ -183,7 +184,8 @@ final class ScalarSums implements PairSums {
     for (int entry = list.first()[i]; entry < list.first()[i + 1]; entry++) {
       int from = list.quads()[entry] * LANES;
       for (int n = from; n < from + LANES; n++) {
-        double wall = Math.min(Math.fma(values[depth + n], nearness, 1), most);
+        double wall = Math.fma(values[depth + n], nearness, 1);
+        wall = wall > most ? most : wall;
         double pair = 4 / (fluidity + values[viscosity + n]) * wall;
         drag[count] = own * values[volume + n] * weights[count] * pair;
         count++;
@@ -243,8 +245,9 @@ final class ScalarSums implements PairSums {
       z3 = Math.fma(uz - v[UZ * s + n + 3], m, Math.fma(zi - v[Z * s + n + 3], p, z3));
       k += LANES;
     }
-    x[i] = (x0 + x1) + (x2 + x3);
-    y[i] = (y0 + y1) + (y2 + y3);
-    z[i] = (z0 + z1) + (z2 + z3);
+    double factor = kernel.slopeFactor();
+    x[i] = factor * ((x0 + x1) + (x2 + x3));
+    y[i] = factor * ((y0 + y1) + (y2 + y3));
+    z[i] = factor * ((z0 + z1) + (z2 + z3));
   }
 }

@@ -22,7 +22,7 @@ public abstract class SmoothingKernel {
   /** What the shape of the kernel is multiplied by: in 1/length^dimensions. */
   protected final double valueFactor;
 
-  /** {@link #valueFactor}/h^2: what (dW/dq)/q is multiplied by to give (dW/dr)/r. */
+  /** What {@link #slope} over q is multiplied by to give (dW/dr)/r; negative. */
   protected final double slopeFactor;
 
   /**
@@ -34,6 +34,7 @@ public abstract class SmoothingKernel {
    * @param dimensions 2 or 3
    * @param plane factor of its shape in 2-D, for h = 1
    * @param space factor of its shape in 3-D, for h = 1
+   * @param steepness factor of its slope, over that of its shape
    * @throws IllegalArgumentException if h is not positive and finite, or so small that W is not, or
    *     dimensions is neither 2 nor 3
    */
@@ -43,7 +44,8 @@ public abstract class SmoothingKernel {
       double smoothingLength,
       int dimensions,
       double plane,
-      double space) {
+      double space,
+      double steepness) {
     if (!(smoothingLength > 0 && Double.isFinite(smoothingLength))) {
       throw new IllegalArgumentException(
           "smoothing length must be positive and finite: h=" + smoothingLength);
@@ -59,7 +61,7 @@ public abstract class SmoothingKernel {
     supportRadius = support * h;
     inverseLength = 1 / h;
     valueFactor = dimensions == 2 ? plane / (h * h) : space / (h * h * h);
-    slopeFactor = valueFactor / (h * h);
+    slopeFactor = steepness * valueFactor / (h * h);
     if (!(valueFactor > 0 && Double.isFinite(valueFactor))) {
       throw new IllegalArgumentException(
           "1 / h^" + dimensions + " must be a finite number: h=" + h);
@@ -69,8 +71,13 @@ public abstract class SmoothingKernel {
   /** W at a distance q = r/h within the support, over {@link #valueFactor}. */
   abstract double shape(double q);
 
-  /** dW/dq at a distance q = r/h within the support, over {@link #valueFactor}. */
+  /** dW/dq at a distance q = r/h within the support, over {@link #slopeFactor} h^2. */
   abstract double slope(double q);
+
+  /** 2 max(x, 0), of the two cheapest operations: no comparison. */
+  static double twicePositive(double x) {
+    return x + Math.abs(x);
+  }
 
   /**
    * Value of the kernel at a distance.
@@ -91,26 +98,26 @@ public abstract class SmoothingKernel {
    * @return dW/dr, in 1/length^({@link #dimensions()} + 1); never positive, and 0 at r = 0
    */
   public final double dwdr(double r) {
-    return r >= supportRadius ? 0 : valueFactor * inverseLength * slope(r * inverseLength);
+    return r >= supportRadius ? 0 : slopeFactor * smoothingLength * slope(r * inverseLength);
   }
 
   /**
-   * Values of the kernel at many distances.
+   * Shapes of the kernel at many distances: 0 beyond the support.
    *
    * @param squares r^2 of each; positive, in the unit of the smoothing length
-   * @param weights where W(r, h) goes
+   * @param shapes where W(r, h) over {@link #valueFactor()} goes
    * @param count how many
    */
-  public abstract void weights(double[] squares, double[] weights, int count);
+  abstract void shapes(double[] squares, double[] shapes, int count);
 
   /**
-   * Radial derivatives of the kernel over the distance, at many distances.
+   * Radial derivatives of the kernel over the distance, at many distances: 0 beyond the support.
    *
    * @param squares r^2 of each; positive, in the unit of the smoothing length
-   * @param slopes where (dW/dr)/r goes; never positive
+   * @param slopes where (dW/dr)/r over {@link #slopeFactor()} goes
    * @param count how many
    */
-  public abstract void slopes(double[] squares, double[] slopes, int count);
+  abstract void slopes(double[] squares, double[] slopes, int count);
 
   /**
    * Distance at and beyond which the kernel is 0.
@@ -149,7 +156,7 @@ public abstract class SmoothingKernel {
     return valueFactor;
   }
 
-  /** {@link #valueFactor}/h^2. */
+  /** What the slope of the kernel is multiplied by: in 1/length^(dimensions + 2), negative. */
   public final double slopeFactor() {
     return slopeFactor;
   }

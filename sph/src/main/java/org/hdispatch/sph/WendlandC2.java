@@ -23,12 +23,19 @@ public final class WendlandC2 extends SmoothingKernel {
    *     nor 3
    */
   public WendlandC2(double smoothingLength, int dimensions) {
-    super("Wendland C2", 2, smoothingLength, dimensions, 7 / (4 * Math.PI), 21 / (16 * Math.PI));
+    super(
+        "Wendland C2",
+        2,
+        smoothingLength,
+        dimensions,
+        7 / (4 * Math.PI) / 16,
+        21 / (16 * Math.PI) / 16,
+        -10);
   }
 
   @Override
   double shape(double q) {
-    return valueAt(q);
+    return shapeAt(q);
   }
 
   @Override
@@ -37,27 +44,28 @@ public final class WendlandC2 extends SmoothingKernel {
   }
 
   @Override
-  public void weights(double[] squares, double[] weights, int count) {
+  void shapes(double[] squares, double[] shapes, int count) {
     for (int n = 0; n < count; n++) {
-      weights[n] = valueFactor * valueAt(Math.sqrt(squares[n]) * inverseLength);
+      shapes[n] = shapeAt(Math.sqrt(squares[n]) * inverseLength);
     }
   }
 
   @Override
-  public void slopes(double[] squares, double[] slopes, int count) {
+  void slopes(double[] squares, double[] slopes, int count) {
     for (int n = 0; n < count; n++) {
-      slopes[n] = slopeFactor * slopeOverDistanceAt(Math.sqrt(squares[n]) * inverseLength);
+      slopes[n] = slopeOverDistanceAt(Math.sqrt(squares[n]) * inverseLength);
     }
   }
 
-  private static double valueAt(double q) {
-    double a = Math.max(Math.fma(q, -0.5, 1), 0);
+  /** (2 a)^4 (1 + 2 q) = 16 W/s. */
+  private static double shapeAt(double q) {
+    double a = twicePositive(Math.fma(q, -0.5, 1));
     double a2 = a * a;
     return a2 * a2 * Math.fma(q, 2, 1);
   }
 
   private static double slopeOverDistanceAt(double q) {
-    double a = Math.max(Math.fma(q, -0.5, 1), 0);
-    return -5 * (a * a * a);
+    double a = twicePositive(Math.fma(q, -0.5, 1));
+    return a * a * a;
   }
 }
