@@ -9,12 +9,12 @@ fun lib(artifactId: String) = catalog.findLibrary(artifactId).get()
 /** What Maven's Surefire adds by itself; its version comes with junit-jupiter. */
 val launcher = "org.junit.platform:junit-platform-launcher"
 
-/** What the module with the Vector API kernels needs, compiled and tested. */
+/** What the modules with the Vector API need, compiled and tested. */
 val incubator = listOf("--add-modules", "jdk.incubator.vector")
 
 subprojects {
     apply(plugin = "java-library")
-    val usesIncubator = name == "lbm-vector"
+    val usesIncubator = name in listOf("lbm-vector", "sph-vector")
 
     configure<BasePluginExtension> {
         archivesName.set(if (name == "hdispatch-core") name else "hdispatch-$name")
@@ -99,6 +99,14 @@ project(":lbm-vector") {
     }
 }
 
+project(":sph-vector") {
+    dependencies {
+        "implementation"(project(":sph"))
+        "testImplementation"(lib("junit-jupiter"))
+        "testRuntimeOnly"(launcher)
+    }
+}
+
 project(":porous") {
     dependencies {
         "api"(project(":hdispatch-core"))
@@ -119,6 +127,7 @@ project(":app") {
         "implementation"(project(":porous"))
         "implementation"(lib("picocli"))
         "runtimeOnly"(project(":lbm-vector"))
+        "runtimeOnly"(project(":sph-vector"))
         "runtimeOnly"(lib("slf4j-nop"))
         "testImplementation"(lib("junit-jupiter"))
         "testImplementation"(lib("archunit"))
@@ -131,6 +140,7 @@ project(":jmh") {
         "implementation"(project(":hdispatch-core"))
         "implementation"(project(":lbm"))
         "runtimeOnly"(project(":lbm-vector"))
+        "runtimeOnly"(project(":sph-vector"))
         "implementation"(lib("jmh-core"))
         "annotationProcessor"(lib("jmh-generator-annprocess"))
         "testImplementation"(lib("junit-jupiter"))

@@ -13,7 +13,7 @@ public final class NeighbourList {
   private int particles;
 
   /** An empty list. */
-  NeighbourList() {}
+  public NeighbourList() {}
 
   /** Where the quads of a particle begin; by particle, and one more at the end. */
   public int[] first() {

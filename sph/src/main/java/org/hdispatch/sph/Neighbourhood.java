@@ -63,6 +63,29 @@ public final class Neighbourhood {
   /** An empty neighbourhood. */
   Neighbourhood() {}
 
+  /**
+   * A neighbourhood of given particles, for sums apart from a scheme.
+   *
+   * @param planes what the planes hold, in their order, as many as are needed; of equal length
+   * @param own which particle is the first of the cell's own
+   * @param ownCount how many they are
+   * @param nearness 1/d of those of them that are fluid, which come first
+   */
+  public static Neighbourhood of(double[][] planes, int own, int ownCount, double[] nearness) {
+    Neighbourhood near = new Neighbourhood();
+    int all = planes[X].length;
+    near.clear(all);
+    near.count = own;
+    near.ownFollow(ownCount, nearness.length);
+    System.arraycopy(nearness, 0, near.nearness, 0, nearness.length);
+    near.count = all;
+    for (int plane = 0; plane < planes.length; plane++) {
+      near.copyLast(plane, planes[plane], all);
+    }
+    near.close(planes.length);
+    return near;
+  }
+
   /** The planes, one after the other. */
   public double[] values() {
     return values;

@@ -33,7 +33,7 @@ public enum SumForm {
    *
    * @throws IllegalStateException if this JVM does not have this form for the kernel
    */
-  Supplier<PairSums> of(PairModel model) {
+  public Supplier<PairSums> of(PairModel model) {
     if (this == SCALAR) {
       return () -> new ScalarSums(model);
     }

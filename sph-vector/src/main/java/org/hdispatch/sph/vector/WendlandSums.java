@@ -1,0 +1,285 @@
+package org.hdispatch.sph.vector;
+
+import static org.hdispatch.sph.Neighbourhood.DEPTH;
+import static org.hdispatch.sph.Neighbourhood.LANES;
+import static org.hdispatch.sph.Neighbourhood.PRESSURE;
+import static org.hdispatch.sph.Neighbourhood.UX;
+import static org.hdispatch.sph.Neighbourhood.UY;
+import static org.hdispatch.sph.Neighbourhood.UZ;
+import static org.hdispatch.sph.Neighbourhood.VISCOSITY;
+import static org.hdispatch.sph.Neighbourhood.VOLUME;
+import static org.hdispatch.sph.Neighbourhood.Y;
+import static org.hdispatch.sph.Neighbourhood.Z;
+
+import jdk.incubator.vector.DoubleVector;
+import jdk.incubator.vector.VectorOperators;
+import org.hdispatch.sph.PairModel;
+
+/** Sums with the Wendland C2 kernel. Written by SumsSource: do not edit. */
+final class WendlandSums extends VectorSums {
+  private final double inverseLength;
+
+  WendlandSums(PairModel model) {
+    super(model);
+    inverseLength = model.kernel().inverseLength();
+  }
+
+  @Override
+  void density(double[] v, int stride, int own, char[] quads, int from, int to) {
+    int ys = Y * stride;
+    int zs = Z * stride;
+    DoubleVector x = DoubleVector.broadcast(QUAD, v[own]);
+    DoubleVector y = DoubleVector.broadcast(QUAD, v[ys + own]);
+    DoubleVector z = DoubleVector.broadcast(QUAD, v[zs + own]);
+    DoubleVector scale = DoubleVector.broadcast(QUAD, inverseLength);
+    DoubleVector least = DoubleVector.broadcast(QUAD, LEAST_SQUARE);
+    DoubleVector sum = DoubleVector.broadcast(QUAD, 0);
+    DoubleVector q = DoubleVector.broadcast(QUAD, FAR);
+    for (int entry = from; entry < to; entry++) {
+      int n = quads[entry] * LANES;
+      DoubleVector a = q.fma(DoubleVector.broadcast(QUAD, -0.5), DoubleVector.broadcast(QUAD, 1));
+      a = a.add(a.abs());
+      DoubleVector a2 = a.mul(a);
+      DoubleVector line = q.fma(DoubleVector.broadcast(QUAD, 2), DoubleVector.broadcast(QUAD, 1));
+      DoubleVector shape = a2.mul(a2).mul(line);
+      DoubleVector dx = DoubleVector.fromArray(QUAD, v, n).sub(x);
+      DoubleVector dy = DoubleVector.fromArray(QUAD, v, ys + n).sub(y);
+      DoubleVector dz = DoubleVector.fromArray(QUAD, v, zs + n).sub(z);
+      q = dz.fma(dz, dy.fma(dy, dx.fma(dx, least))).sqrt().mul(scale);
+      sum = sum.add(shape);
+    }
+    DoubleVector a = q.fma(DoubleVector.broadcast(QUAD, -0.5), DoubleVector.broadcast(QUAD, 1));
+    a = a.add(a.abs());
+    DoubleVector a2 = a.mul(a);
+    DoubleVector line = q.fma(DoubleVector.broadcast(QUAD, 2), DoubleVector.broadcast(QUAD, 1));
+    DoubleVector shape = a2.mul(a2).mul(line);
+    sum.add(shape).intoArray(partial, 0);
+  }
+
+  @Override
+  void uniform(
+      double[] v, int stride, int own, char[] quads, int from, int to, double twiceViscosity) {
+    int ys = Y * stride;
+    int zs = Z * stride;
+    int uxs = UX * stride;
+    int uys = UY * stride;
+    int uzs = UZ * stride;
+    int volumes = VOLUME * stride;
+    int pressures = PRESSURE * stride;
+    DoubleVector x = DoubleVector.broadcast(QUAD, v[own]);
+    DoubleVector y = DoubleVector.broadcast(QUAD, v[ys + own]);
+    DoubleVector z = DoubleVector.broadcast(QUAD, v[zs + own]);
+    DoubleVector ux = DoubleVector.broadcast(QUAD, v[uxs + own]);
+    DoubleVector uy = DoubleVector.broadcast(QUAD, v[uys + own]);
+    DoubleVector uz = DoubleVector.broadcast(QUAD, v[uzs + own]);
+    DoubleVector pressure = DoubleVector.broadcast(QUAD, v[pressures + own]);
+    DoubleVector volume = DoubleVector.broadcast(QUAD, twiceViscosity * v[volumes + own]);
+    DoubleVector scale = DoubleVector.broadcast(QUAD, inverseLength);
+    DoubleVector least = DoubleVector.broadcast(QUAD, LEAST_SQUARE);
+    DoubleVector sumX = DoubleVector.broadcast(QUAD, 0);
+    DoubleVector sumY = DoubleVector.broadcast(QUAD, 0);
+    DoubleVector sumZ = DoubleVector.broadcast(QUAD, 0);
+    DoubleVector dx = DoubleVector.broadcast(QUAD, 0);
+    DoubleVector dy = DoubleVector.broadcast(QUAD, 0);
+    DoubleVector dz = DoubleVector.broadcast(QUAD, 0);
+    DoubleVector q = DoubleVector.broadcast(QUAD, FAR);
+    int last = own / LANES * LANES; // of the quad whose dx, dy, dz and q are known
+    for (int entry = from; entry < to; entry++) {
+      int n = quads[entry] * LANES;
+      DoubleVector a = q.fma(DoubleVector.broadcast(QUAD, -0.5), DoubleVector.broadcast(QUAD, 1));
+      a = a.add(a.abs());
+      DoubleVector slope = a.mul(a).mul(a);
+      DoubleVector volumeJ = DoubleVector.fromArray(QUAD, v, volumes + last);
+      DoubleVector drag = volume.mul(volumeJ).mul(slope);
+      DoubleVector pressureJ = DoubleVector.fromArray(QUAD, v, pressures + last);
+      DoubleVector p = pressure.add(pressureJ).mul(slope);
+      sumX = ux.sub(DoubleVector.fromArray(QUAD, v, uxs + last)).fma(drag, dx.fma(p, sumX));
+      sumY = uy.sub(DoubleVector.fromArray(QUAD, v, uys + last)).fma(drag, dy.fma(p, sumY));
+      sumZ = uz.sub(DoubleVector.fromArray(QUAD, v, uzs + last)).fma(drag, dz.fma(p, sumZ));
+      dx = DoubleVector.fromArray(QUAD, v, n).sub(x);
+      dy = DoubleVector.fromArray(QUAD, v, ys + n).sub(y);
+      dz = DoubleVector.fromArray(QUAD, v, zs + n).sub(z);
+      q = dz.fma(dz, dy.fma(dy, dx.fma(dx, least))).sqrt().mul(scale);
+      last = n;
+    }
+    DoubleVector a = q.fma(DoubleVector.broadcast(QUAD, -0.5), DoubleVector.broadcast(QUAD, 1));
+    a = a.add(a.abs());
+    DoubleVector slope = a.mul(a).mul(a);
+    DoubleVector volumeJ = DoubleVector.fromArray(QUAD, v, volumes + last);
+    DoubleVector drag = volume.mul(volumeJ).mul(slope);
+    DoubleVector pressureJ = DoubleVector.fromArray(QUAD, v, pressures + last);
+    DoubleVector p = pressure.add(pressureJ).mul(slope);
+    sumX = ux.sub(DoubleVector.fromArray(QUAD, v, uxs + last)).fma(drag, dx.fma(p, sumX));
+    sumY = uy.sub(DoubleVector.fromArray(QUAD, v, uys + last)).fma(drag, dy.fma(p, sumY));
+    sumZ = uz.sub(DoubleVector.fromArray(QUAD, v, uzs + last)).fma(drag, dz.fma(p, sumZ));
+    sumX.intoArray(partial, 0);
+    sumY.intoArray(partial, LANES);
+    sumZ.intoArray(partial, 2 * LANES);
+  }
+
+  @Override
+  void arithmetic(
+      double[] v,
+      int stride,
+      int own,
+      char[] quads,
+      int from,
+      int to,
+      double nearness,
+      double wallFactor) {
+    int ys = Y * stride;
+    int zs = Z * stride;
+    int uxs = UX * stride;
+    int uys = UY * stride;
+    int uzs = UZ * stride;
+    int volumes = VOLUME * stride;
+    int pressures = PRESSURE * stride;
+    int viscosities = VISCOSITY * stride;
+    int depths = DEPTH * stride;
+    DoubleVector x = DoubleVector.broadcast(QUAD, v[own]);
+    DoubleVector y = DoubleVector.broadcast(QUAD, v[ys + own]);
+    DoubleVector z = DoubleVector.broadcast(QUAD, v[zs + own]);
+    DoubleVector ux = DoubleVector.broadcast(QUAD, v[uxs + own]);
+    DoubleVector uy = DoubleVector.broadcast(QUAD, v[uys + own]);
+    DoubleVector uz = DoubleVector.broadcast(QUAD, v[uzs + own]);
+    DoubleVector pressure = DoubleVector.broadcast(QUAD, v[pressures + own]);
+    DoubleVector volume = DoubleVector.broadcast(QUAD, v[volumes + own]);
+    DoubleVector viscosity = DoubleVector.broadcast(QUAD, v[viscosities + own]);
+    DoubleVector near = DoubleVector.broadcast(QUAD, nearness);
+    DoubleVector most = DoubleVector.broadcast(QUAD, wallFactor);
+    DoubleVector scale = DoubleVector.broadcast(QUAD, inverseLength);
+    DoubleVector least = DoubleVector.broadcast(QUAD, LEAST_SQUARE);
+    DoubleVector sumX = DoubleVector.broadcast(QUAD, 0);
+    DoubleVector sumY = DoubleVector.broadcast(QUAD, 0);
+    DoubleVector sumZ = DoubleVector.broadcast(QUAD, 0);
+    DoubleVector dx = DoubleVector.broadcast(QUAD, 0);
+    DoubleVector dy = DoubleVector.broadcast(QUAD, 0);
+    DoubleVector dz = DoubleVector.broadcast(QUAD, 0);
+    DoubleVector q = DoubleVector.broadcast(QUAD, FAR);
+    int last = own / LANES * LANES; // of the quad whose dx, dy, dz and q are known
+    for (int entry = from; entry < to; entry++) {
+      int n = quads[entry] * LANES;
+      DoubleVector a = q.fma(DoubleVector.broadcast(QUAD, -0.5), DoubleVector.broadcast(QUAD, 1));
+      a = a.add(a.abs());
+      DoubleVector slope = a.mul(a).mul(a);
+      DoubleVector volumeJ = DoubleVector.fromArray(QUAD, v, volumes + last);
+      DoubleVector depth = DoubleVector.fromArray(QUAD, v, depths + last);
+      DoubleVector free = depth.fma(near, DoubleVector.broadcast(QUAD, 1));
+      DoubleVector wall = free.blend(most, free.compare(VectorOperators.GT, most));
+      DoubleVector mu = DoubleVector.fromArray(QUAD, v, viscosities + last).add(viscosity);
+      DoubleVector pair = mu.mul(wall);
+      DoubleVector drag = volume.mul(volumeJ).mul(slope).mul(pair);
+      DoubleVector pressureJ = DoubleVector.fromArray(QUAD, v, pressures + last);
+      DoubleVector p = pressure.add(pressureJ).mul(slope);
+      sumX = ux.sub(DoubleVector.fromArray(QUAD, v, uxs + last)).fma(drag, dx.fma(p, sumX));
+      sumY = uy.sub(DoubleVector.fromArray(QUAD, v, uys + last)).fma(drag, dy.fma(p, sumY));
+      sumZ = uz.sub(DoubleVector.fromArray(QUAD, v, uzs + last)).fma(drag, dz.fma(p, sumZ));
+      dx = DoubleVector.fromArray(QUAD, v, n).sub(x);
+      dy = DoubleVector.fromArray(QUAD, v, ys + n).sub(y);
+      dz = DoubleVector.fromArray(QUAD, v, zs + n).sub(z);
+      q = dz.fma(dz, dy.fma(dy, dx.fma(dx, least))).sqrt().mul(scale);
+      last = n;
+    }
+    DoubleVector a = q.fma(DoubleVector.broadcast(QUAD, -0.5), DoubleVector.broadcast(QUAD, 1));
+    a = a.add(a.abs());
+    DoubleVector slope = a.mul(a).mul(a);
+    DoubleVector volumeJ = DoubleVector.fromArray(QUAD, v, volumes + last);
+    DoubleVector depth = DoubleVector.fromArray(QUAD, v, depths + last);
+    DoubleVector free = depth.fma(near, DoubleVector.broadcast(QUAD, 1));
+    DoubleVector wall = free.blend(most, free.compare(VectorOperators.GT, most));
+    DoubleVector mu = DoubleVector.fromArray(QUAD, v, viscosities + last).add(viscosity);
+    DoubleVector pair = mu.mul(wall);
+    DoubleVector drag = volume.mul(volumeJ).mul(slope).mul(pair);
+    DoubleVector pressureJ = DoubleVector.fromArray(QUAD, v, pressures + last);
+    DoubleVector p = pressure.add(pressureJ).mul(slope);
+    sumX = ux.sub(DoubleVector.fromArray(QUAD, v, uxs + last)).fma(drag, dx.fma(p, sumX));
+    sumY = uy.sub(DoubleVector.fromArray(QUAD, v, uys + last)).fma(drag, dy.fma(p, sumY));
+    sumZ = uz.sub(DoubleVector.fromArray(QUAD, v, uzs + last)).fma(drag, dz.fma(p, sumZ));
+    sumX.intoArray(partial, 0);
+    sumY.intoArray(partial, LANES);
+    sumZ.intoArray(partial, 2 * LANES);
+  }
+
+  @Override
+  void harmonic(
+      double[] v,
+      int stride,
+      int own,
+      char[] quads,
+      int from,
+      int to,
+      double nearness,
+      double wallFactor) {
+    int ys = Y * stride;
+    int zs = Z * stride;
+    int uxs = UX * stride;
+    int uys = UY * stride;
+    int uzs = UZ * stride;
+    int volumes = VOLUME * stride;
+    int pressures = PRESSURE * stride;
+    int viscosities = VISCOSITY * stride;
+    int depths = DEPTH * stride;
+    DoubleVector x = DoubleVector.broadcast(QUAD, v[own]);
+    DoubleVector y = DoubleVector.broadcast(QUAD, v[ys + own]);
+    DoubleVector z = DoubleVector.broadcast(QUAD, v[zs + own]);
+    DoubleVector ux = DoubleVector.broadcast(QUAD, v[uxs + own]);
+    DoubleVector uy = DoubleVector.broadcast(QUAD, v[uys + own]);
+    DoubleVector uz = DoubleVector.broadcast(QUAD, v[uzs + own]);
+    DoubleVector pressure = DoubleVector.broadcast(QUAD, v[pressures + own]);
+    DoubleVector volume = DoubleVector.broadcast(QUAD, v[volumes + own]);
+    DoubleVector viscosity = DoubleVector.broadcast(QUAD, v[viscosities + own]);
+    DoubleVector near = DoubleVector.broadcast(QUAD, nearness);
+    DoubleVector most = DoubleVector.broadcast(QUAD, wallFactor);
+    DoubleVector scale = DoubleVector.broadcast(QUAD, inverseLength);
+    DoubleVector least = DoubleVector.broadcast(QUAD, LEAST_SQUARE);
+    DoubleVector sumX = DoubleVector.broadcast(QUAD, 0);
+    DoubleVector sumY = DoubleVector.broadcast(QUAD, 0);
+    DoubleVector sumZ = DoubleVector.broadcast(QUAD, 0);
+    DoubleVector dx = DoubleVector.broadcast(QUAD, 0);
+    DoubleVector dy = DoubleVector.broadcast(QUAD, 0);
+    DoubleVector dz = DoubleVector.broadcast(QUAD, 0);
+    DoubleVector q = DoubleVector.broadcast(QUAD, FAR);
+    int last = own / LANES * LANES; // of the quad whose dx, dy, dz and q are known
+    for (int entry = from; entry < to; entry++) {
+      int n = quads[entry] * LANES;
+      DoubleVector a = q.fma(DoubleVector.broadcast(QUAD, -0.5), DoubleVector.broadcast(QUAD, 1));
+      a = a.add(a.abs());
+      DoubleVector slope = a.mul(a).mul(a);
+      DoubleVector volumeJ = DoubleVector.fromArray(QUAD, v, volumes + last);
+      DoubleVector depth = DoubleVector.fromArray(QUAD, v, depths + last);
+      DoubleVector free = depth.fma(near, DoubleVector.broadcast(QUAD, 1));
+      DoubleVector wall = free.blend(most, free.compare(VectorOperators.GT, most));
+      DoubleVector mu = DoubleVector.fromArray(QUAD, v, viscosities + last).add(viscosity);
+      DoubleVector pair = DoubleVector.broadcast(QUAD, 4).div(mu).mul(wall);
+      DoubleVector drag = volume.mul(volumeJ).mul(slope).mul(pair);
+      DoubleVector pressureJ = DoubleVector.fromArray(QUAD, v, pressures + last);
+      DoubleVector p = pressure.add(pressureJ).mul(slope);
+      sumX = ux.sub(DoubleVector.fromArray(QUAD, v, uxs + last)).fma(drag, dx.fma(p, sumX));
+      sumY = uy.sub(DoubleVector.fromArray(QUAD, v, uys + last)).fma(drag, dy.fma(p, sumY));
+      sumZ = uz.sub(DoubleVector.fromArray(QUAD, v, uzs + last)).fma(drag, dz.fma(p, sumZ));
+      dx = DoubleVector.fromArray(QUAD, v, n).sub(x);
+      dy = DoubleVector.fromArray(QUAD, v, ys + n).sub(y);
+      dz = DoubleVector.fromArray(QUAD, v, zs + n).sub(z);
+      q = dz.fma(dz, dy.fma(dy, dx.fma(dx, least))).sqrt().mul(scale);
+      last = n;
+    }
+    DoubleVector a = q.fma(DoubleVector.broadcast(QUAD, -0.5), DoubleVector.broadcast(QUAD, 1));
+    a = a.add(a.abs());
+    DoubleVector slope = a.mul(a).mul(a);
+    DoubleVector volumeJ = DoubleVector.fromArray(QUAD, v, volumes + last);
+    DoubleVector depth = DoubleVector.fromArray(QUAD, v, depths + last);
+    DoubleVector free = depth.fma(near, DoubleVector.broadcast(QUAD, 1));
+    DoubleVector wall = free.blend(most, free.compare(VectorOperators.GT, most));
+    DoubleVector mu = DoubleVector.fromArray(QUAD, v, viscosities + last).add(viscosity);
+    DoubleVector pair = DoubleVector.broadcast(QUAD, 4).div(mu).mul(wall);
+    DoubleVector drag = volume.mul(volumeJ).mul(slope).mul(pair);
+    DoubleVector pressureJ = DoubleVector.fromArray(QUAD, v, pressures + last);
+    DoubleVector p = pressure.add(pressureJ).mul(slope);
+    sumX = ux.sub(DoubleVector.fromArray(QUAD, v, uxs + last)).fma(drag, dx.fma(p, sumX));
+    sumY = uy.sub(DoubleVector.fromArray(QUAD, v, uys + last)).fma(drag, dy.fma(p, sumY));
+    sumZ = uz.sub(DoubleVector.fromArray(QUAD, v, uzs + last)).fma(drag, dz.fma(p, sumZ));
+    sumX.intoArray(partial, 0);
+    sumY.intoArray(partial, LANES);
+    sumZ.intoArray(partial, 2 * LANES);
+  }
+}
