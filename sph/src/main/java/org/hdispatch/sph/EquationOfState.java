@@ -29,6 +29,27 @@ public interface EquationOfState {
   }
 
   /**
+   * The same pressure from the same relative density n/n0, for another fluid beside it: then fluids
+   * of unlike density are at the same pressure where they are equally dense in number. The speed of
+   * sound is c sqrt(rho0 of that state/rho0).
+   *
+   * @param state of the other fluid
+   * @param restDensity rho0 of this one
+   * @throws IllegalArgumentException if rho0 is not positive
+   */
+  static EquationOfState beside(EquationOfState state, double restDensity) {
+    return new MatchedEquation(state, restDensity);
+  }
+
+  /**
+   * The same pressure, but never below zero: for fluids with a free surface, at which the density
+   * is found too low, so that it would hold them together like a skin.
+   */
+  static EquationOfState withoutTension(EquationOfState state) {
+    return new TensionlessEquation(state);
+  }
+
+  /**
    * P = c^2 rho0/7 ((rho/rho0)^7 - 1) (Cole 1948; Monaghan 1994).
    *
    * @param restDensity rho0
