@@ -69,6 +69,11 @@ final class ForcePass implements CellKernel<ParticleCell, SphScratch> {
     }
     scratch.makeRoom(cell.count);
     scratch.sums.force(scratch.near, list, scratch.forceX, scratch.forceY, scratch.forceZ);
+    if (scratch.pairs != null) {
+      cell.makeVirialRoom();
+      scratch.pairs.add(
+          scratch.near, list, scratch.forceX, scratch.forceY, scratch.forceZ, cell.virial);
+    }
     if (field != null) {
       addField(cell, scratch);
     }

@@ -32,6 +32,9 @@ public final class ParticleCell {
   /** Depth in the wall of each particle, 0 in the fluid; empty without walls. */
   double[] depth = new double[0];
 
+  /** Virial of the pairwise forces on each fluid particle; empty without such forces. */
+  double[] virial = new double[0];
+
   /** Particles that have left the cell, ascending, and the slots they have gone to. */
   int[] leavers = new int[0];
 
@@ -92,6 +95,13 @@ public final class ParticleCell {
       volume = new double[room];
       pressure = new double[room];
       depth = walled ? new double[room] : depth;
+    }
+  }
+
+  /** Makes room for the virial of each fluid particle. */
+  void makeVirialRoom() {
+    if (virial.length < fluids) {
+      virial = new double[volume.length];
     }
   }
 

@@ -15,7 +15,8 @@ public interface ParticleVisitor {
    * @param v velocity along y
    * @param w velocity along z
    * @param numberDensity n, as the last step found it; NaN before the first
-   * @param pressure P of that density
+   * @param pressure P of that density; in a fluid with {@link PairForces} also what these add to
+   *     it, their virial, so that it is the pressure that Laplace's law is about
    */
   void visit(
       int id,

@@ -33,6 +33,7 @@ public final class SphScheme implements Scheme<ParticleCell, SphScratch> {
   private final ParticleGrid grid;
   private final CellMap<ParticleCell> cells;
   private final Supplier<PairSums> sums;
+  private final PairForces pairs; // null: none
   private final Rehash rehash;
   private final List<Pass<ParticleCell, SphScratch>> passes;
   private final StepPlan plan = new StepPlan();
@@ -54,6 +55,7 @@ public final class SphScheme implements Scheme<ParticleCell, SphScratch> {
     double reach = kernel.supportRadius() + skin;
     grid = new ParticleGrid(settings.box, settings.edge(reach));
     sums = settings.form().of(settings.model());
+    pairs = settings.pairs;
     plan.timeStep = settings.timeStep;
     drive(settings.gx, settings.gy, settings.gz);
     cells = Filling.of(grid, particles);
@@ -65,7 +67,8 @@ public final class SphScheme implements Scheme<ParticleCell, SphScratch> {
     }
     double spacing = settings.spacing(particles.count());
     rehash = new Rehash(cells, grid, plan, solid, settings.walls, spacing);
-    Surroundings surroundings = new Surroundings(grid, settings.model(), viscosities);
+    Surroundings surroundings =
+        new Surroundings(grid, settings.model(), viscosities, pairs != null);
     passes =
         List.of(
             new Pass<>("rehash", rehash),
@@ -96,7 +99,10 @@ public final class SphScheme implements Scheme<ParticleCell, SphScratch> {
 
   @Override
   public SphScratch newScratch() {
-    return new SphScratch(sums.get(), rehash.bins());
+    return new SphScratch(
+        sums.get(),
+        pairs == null ? null : new PairForceSums(pairs, kernel.supportRadius()),
+        rehash.bins());
   }
 
   @Override
@@ -185,9 +191,18 @@ public final class SphScheme implements Scheme<ParticleCell, SphScratch> {
             from.uy[n],
             from.uz[n],
             1 / volume,
-            fresh ? Double.NaN : cell.pressure[n] / (volume * volume));
+            fresh ? Double.NaN : pressure(cell, n));
       }
     }
+  }
+
+  /** Of the density, and of pairwise forces: (1/2 d) n_i sum_j F_i&lt;-j . (r_i - r_j). */
+  private double pressure(ParticleCell cell, int n) {
+    double volume = cell.volume[n];
+    double ofDensity = cell.pressure[n] / (volume * volume);
+    return pairs == null || n >= cell.fluids
+        ? ofDensity
+        : ofDensity + cell.virial[n] / (2 * kernel.dimensions() * volume);
   }
 
   /** Least and greatest density over rest density in a fluid, in the last step. */

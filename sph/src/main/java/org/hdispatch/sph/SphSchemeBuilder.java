@@ -15,6 +15,7 @@ public final class SphSchemeBuilder {
   SearchMode mode = SearchMode.VERLET;
   WallDistance walls;
   AccelerationField field;
+  PairForces pairs;
   double timeStep = Double.NaN;
   double gx;
   double gy;
@@ -130,6 +131,16 @@ public final class SphSchemeBuilder {
   }
 
   /**
+   * Sets forces between pairs of particles: surface tension and wetting. Default: none.
+   *
+   * @param forces strengths by phase, in the order of the scheme's phases
+   */
+  public SphSchemeBuilder pairForces(PairForces forces) {
+    pairs = Objects.requireNonNull(forces, "forces");
+    return this;
+  }
+
+  /**
    * Sets the time step; {@link TimeStep} tells what is allowed.
    *
    * @throws IllegalArgumentException if it is not positive
@@ -165,7 +176,8 @@ public final class SphSchemeBuilder {
    * The scheme.
    *
    * @throws IllegalArgumentException if there is no phase, a phase has no particles, a particle is
-   *     of no phase, lies outside the box or in a wall, or solids have no walls
+   *     of no phase, lies outside the box or in a wall, solids have no walls, or pairwise forces
+   *     are not those of the phases or too strong for the time step
    * @throws IllegalStateException if the time step is not set, or this JVM lacks the form of sums
    */
   public SphScheme build(Particles particles) {
@@ -199,6 +211,30 @@ public final class SphSchemeBuilder {
         throw new IllegalArgumentException(
             "walls must be set where there is a solid: phase=" + phases.get(phase).name());
       }
+    }
+    if (pairs != null) {
+      checkPairs();
+    }
+  }
+
+  private void checkPairs() {
+    if (pairs.phases() != phases.size()) {
+      throw new IllegalArgumentException(
+          "pair strengths must be given for the scheme's phases: strengths="
+              + pairs.phases()
+              + ", phases="
+              + phases.size());
+    }
+    TimeStep limits = TimeStep.of(kernel, phases, 0, pairs);
+    double most = Math.min(limits.pair(), limits.capillary());
+    if (timeStep > most) {
+      throw new IllegalArgumentException(
+          "time step must resolve pairwise forces and capillary waves: dt="
+              + timeStep
+              + ", allowed="
+              + most
+              + ", sigma="
+              + MeanField.greatestTension(kernel, phases, pairs));
     }
   }
 

@@ -7,6 +7,7 @@ public final class SphScratch {
   final Neighbourhood near = new Neighbourhood();
   final NeighbourList list = new NeighbourList();
   final PairSums sums;
+  final PairForceSums pairs; // null: none
   double[] density = new double[0];
   double[] forceX = new double[0];
   double[] forceY = new double[0];
@@ -20,8 +21,9 @@ public final class SphScratch {
   int picked;
   final int[] binStarts;
 
-  SphScratch(PairSums sums, int bins) {
+  SphScratch(PairSums sums, PairForceSums pairs, int bins) {
     this.sums = sums;
+    this.pairs = pairs;
     binStarts = new int[bins + 1];
   }
 

@@ -5,11 +5,16 @@ final class Surroundings {
   private final ParticleGrid grid;
   private final PairModel model;
   private final double[] viscosities; // by phase, as the plane holds them
+  private final double[] numbers; // of the phases; null: no force depends on them
 
-  Surroundings(ParticleGrid grid, PairModel model, double[] viscosities) {
+  Surroundings(ParticleGrid grid, PairModel model, double[] viscosities, boolean phases) {
     this.grid = grid;
     this.model = model;
     this.viscosities = viscosities;
+    numbers = phases ? new double[viscosities.length] : null;
+    for (int phase = 0; phases && phase < numbers.length; phase++) {
+      numbers[phase] = phase;
+    }
   }
 
   /** Gathers positions. */
@@ -45,9 +50,15 @@ final class Surroundings {
             near.clearLast(Neighbourhood.DEPTH, other.count);
           }
         }
+        if (numbers != null) {
+          near.phasesLast(Neighbourhood.PHASE, from.phase, numbers, other.count);
+        }
       }
     }
-    near.close(model.uniform() ? Neighbourhood.VISCOSITY : Neighbourhood.PHASE);
+    near.close(
+        numbers != null
+            ? Neighbourhood.PHASE + 1
+            : model.uniform() ? Neighbourhood.VISCOSITY : Neighbourhood.PHASE);
   }
 
   private static void begin(ParticleCell cell, Neighbourhood near) {

@@ -9,8 +9,14 @@ import java.util.Locale;
  * @param sound 0.25 h/c: sound crosses a quarter of the smoothing length; c is the fastest phase's
  * @param viscosity 0.125 h^2/nu; nu is the largest
  * @param force 0.25 sqrt(h/g); infinite without a force
+ * @param pair 0.25 sqrt(h m/F), F being the pairwise force on a particle at a surface; infinite
+ *     without such forces
+ * @param capillary 0.25 sqrt(rho h^3/(2 pi sigma)): capillary waves as short as the smoothing
+ *     length; infinite without surface tension
  */
-public record TimeStep(double sound, double viscosity, double force) {
+public record TimeStep(
+    double sound, double viscosity, double force, double pair, double capillary) {
+
   /** Limits for these phases under a body force per mass of size g. */
   public static TimeStep of(SmoothingKernel kernel, List<Phase> phases, double g) {
     double h = kernel.smoothingLength();
@@ -20,29 +26,68 @@ public record TimeStep(double sound, double viscosity, double force) {
       c = Math.max(c, phase.state().soundSpeed());
       nu = Math.max(nu, phase.kinematicViscosity());
     }
-    return new TimeStep(0.25 * h / c, 0.125 * h * h / nu, 0.25 * Math.sqrt(h / g));
+    return new TimeStep(
+        0.25 * h / c,
+        0.125 * h * h / nu,
+        0.25 * Math.sqrt(h / g),
+        Double.POSITIVE_INFINITY,
+        Double.POSITIVE_INFINITY);
+  }
+
+  /** Limits for these phases with pairwise forces. */
+  public static TimeStep of(
+      SmoothingKernel kernel, List<Phase> phases, double g, PairForces pairs) {
+    TimeStep without = of(kernel, phases, g);
+    double h = kernel.smoothingLength();
+    double acceleration = 0;
+    double rho = Double.POSITIVE_INFINITY;
+    for (int a = 0; a < phases.size(); a++) {
+      Phase phase = phases.get(a);
+      if (phase.solid()) {
+        continue;
+      }
+      rho = Math.min(rho, phase.state().restDensity());
+      for (int b = 0; b < phases.size(); b++) {
+        double force = MeanField.surfaceForce(kernel, phase, pairs.profile(), pairs.strength(a, b));
+        acceleration = Math.max(acceleration, force / phase.mass());
+      }
+    }
+    double sigma = MeanField.greatestTension(kernel, phases, pairs);
+    return new TimeStep(
+        without.sound,
+        without.viscosity,
+        without.force,
+        0.25 * Math.sqrt(h / acceleration),
+        0.25 * Math.sqrt(rho * h * h * h / (2 * Math.PI * sigma)));
   }
 
   /** The step allowed: the least of the limits. */
   public double allowed() {
-    return Math.min(sound, Math.min(viscosity, force));
+    return Math.min(Math.min(sound, viscosity), Math.min(force, Math.min(pair, capillary)));
   }
 
   /** Name of the limit that rules. */
   public String rules() {
     double least = allowed();
-    return least == viscosity ? "viscosity" : least == sound ? "sound" : "force";
+    return least == viscosity
+        ? "viscosity"
+        : least == sound
+            ? "sound"
+            : least == force ? "force" : least == pair ? "pair force" : "capillary waves";
   }
 
   @Override
   public String toString() {
     return String.format(
         Locale.ROOT,
-        "%.4g by %s (sound %.4g, viscosity %.4g, force %.4g)",
+        "%.4g by %s (sound %.4g, viscosity %.4g, force %.4g, pair force %.4g, capillary waves"
+            + " %.4g)",
         allowed(),
         rules(),
         sound,
         viscosity,
-        force);
+        force,
+        pair,
+        capillary);
   }
 }
