@@ -125,6 +125,7 @@ project(":app") {
         "implementation"(project(":hdispatch-core"))
         "implementation"(project(":lbm"))
         "implementation"(project(":porous"))
+        "implementation"(project(":sph"))
         "implementation"(lib("picocli"))
         "runtimeOnly"(project(":lbm-vector"))
         "runtimeOnly"(project(":sph-vector"))

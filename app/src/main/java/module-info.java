@@ -3,6 +3,7 @@ module org.hdispatch.app {
   requires info.picocli;
   requires java.desktop;
   requires org.hdispatch.porous;
+  requires org.hdispatch.sph;
 
   exports org.hdispatch.app;
 

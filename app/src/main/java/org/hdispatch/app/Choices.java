@@ -13,6 +13,8 @@ import org.hdispatch.porous.flow.Inlet;
 import org.hdispatch.porous.flow.Sides;
 import org.hdispatch.porous.image.Axis;
 import org.hdispatch.porous.pore.SpherePacking;
+import org.hdispatch.sph.SearchMode;
+import org.hdispatch.sph.SumForm;
 
 /** The words for the values of an enumeration: its names in lower case, hyphens between words. */
 abstract class Choices implements Iterable<String> {
@@ -106,6 +108,20 @@ abstract class Choices implements Iterable<String> {
   static final class OfKernel extends Choices {
     OfKernel() {
       super(KernelForm.values());
+    }
+  }
+
+  /** Words for searches of neighbours. */
+  static final class OfSearch extends Choices {
+    OfSearch() {
+      super(SearchMode.values());
+    }
+  }
+
+  /** Words for forms of the sums over neighbours. */
+  static final class OfSums extends Choices {
+    OfSums() {
+      super(SumForm.values());
     }
   }
 }

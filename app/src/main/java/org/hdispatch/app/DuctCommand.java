@@ -1,7 +1,5 @@
 package org.hdispatch.app;
 
-import java.io.PrintWriter;
-import java.io.UncheckedIOException;
 import java.util.List;
 import java.util.Optional;
 import java.util.concurrent.Callable;
@@ -85,11 +83,12 @@ final class DuctCommand implements Callable<Integer> {
     BandwidthProbe probe = new BandwidthProbe(DuctHeap.require(host, duct));
     try (CollectorWatch collector = new CollectorWatch()) {
       DuctFigures figures = measure(run, duct, probe, collector);
-      var report = new CollectorReport(figures(collector), figures.stats(), run.warmUpSteps());
+      var report =
+          new CollectorReport(console().figures(collector), figures.stats(), run.warmUpSteps());
       FlatRow row = DuctReport.row(figures).put("probe_bytes", probe.bytes());
       report.putInto(row.put("bundle_origin", bundle.origin()));
-      DuctReport.host(row);
-      print(output.form(row, DuctReport.text(figures, bundle.origin(), probe, report)));
+      Host.describe(row);
+      console().print(output.form(row, DuctReport.text(figures, bundle.origin(), probe, report)));
       if (folder.isPresent()) {
         folder.get().write("duct.json", row.toJson());
       }
@@ -98,26 +97,23 @@ final class DuctCommand implements Callable<Integer> {
 
   private DuctFigures measure(
       DuctRun run, Duct duct, BandwidthProbe probe, CollectorWatch collector) {
-    try (StatusLine status = new StatusLine(err());
+    try (StatusLine status = new StatusLine(console().err());
         Dispatcher dispatcher = Dispatcher.withWorkers(threadOptions.threads())) {
-      StatusLine shown = isWatched() ? status : null;
+      StatusLine shown = console().isWatched() ? status : null;
       return run.measure(
-          dispatcher,
-          duct,
-          probe,
-          new DuctListener(collector, shown, "duct " + duct.side() + "^3"));
+          dispatcher, duct, probe, new RunListener(collector, shown, "duct " + duct.side() + "^3"));
     }
   }
 
   private void sweep(Optional<OutputFolder> folder) throws ImageFileException {
     SweepResult result;
-    try (StatusLine status = new StatusLine(err())) {
+    try (StatusLine status = new StatusLine(console().err())) {
       SweepProgress progress = new SweepProgress(status);
-      DuctSweep.Listener shown = isWatched() ? progress::show : DuctSweep.Listener.NONE;
-      result = new DuctSweep(host, options, threadOptions.threads(), this::warn).run(shown);
+      DuctSweep.Listener shown = console().isWatched() ? progress::show : DuctSweep.Listener.NONE;
+      result = new DuctSweep(host, options, threadOptions.threads(), console()::warn).run(shown);
     }
     List<FlatRow> rows = SweepReport.rows(result);
-    print(output.form(rows, SweepReport.text(result, store(result))));
+    console().print(output.form(rows, SweepReport.text(result, store(result))));
     if (folder.isPresent()) {
       folder.get().write("duct.csv", FlatRow.toCsv(rows));
       folder.get().write("duct.json", FlatRow.toJson(rows));
@@ -133,39 +129,12 @@ final class DuctCommand implements Callable<Integer> {
     return machineFile().keepRecommended(result);
   }
 
-  private void print(String text) throws ImageFileException {
-    PrintWriter out = spec.commandLine().getOut();
-    out.print(text);
-    if (out.checkError()) {
-      throw new ImageFileException("standard output must be writable");
-    }
-  }
-
-  private Optional<CollectorWatch.Figures> figures(CollectorWatch collector) {
-    try {
-      return Optional.of(collector.figures());
-    } catch (UncheckedIOException e) { // a pity, but the speed is worth more
-      warn("figures of the collector must be readable: cause=" + e.getCause());
-      return Optional.empty();
-    }
-  }
-
   private MachineFile machineFile() {
-    return new MachineFile(host.machineFile(), this::warn);
+    return new MachineFile(host.machineFile(), console()::warn);
   }
 
-  private boolean isWatched() {
-    return host.terminal() && !output.quiet();
-  }
-
-  private PrintWriter err() {
-    return spec.commandLine().getErr();
-  }
-
-  private void warn(String line) {
-    if (!output.quiet()) {
-      err().println("hdispatch: warning: " + line);
-    }
+  private CommandConsole console() {
+    return new CommandConsole(spec, host, output);
   }
 
   private void checkCombinations() {

@@ -45,14 +45,6 @@ final class DuctReport {
         .put("bandwidth_most_GBps", figures.gigabytesPerSecond().most());
   }
 
-  /** What it ran on. */
-  static FlatRow host(FlatRow row) {
-    return row.put("processors", Runtime.getRuntime().availableProcessors())
-        .put("architecture", System.getProperty("os.arch"))
-        .put("version", Version.ofProject())
-        .put("java", Version.ofJava());
-  }
-
   private static String size(BundleSize bundle) {
     return bundle.nx() + "," + bundle.ny() + "," + bundle.nz();
   }

@@ -8,6 +8,7 @@ import java.util.concurrent.CancellationException;
 import org.hdispatch.lbm.immersed.LostBodyException;
 import org.hdispatch.porous.flow.DivergedException;
 import org.hdispatch.porous.io.ImageFileException;
+import org.hdispatch.sph.BlownUpException;
 import picocli.CommandLine;
 import picocli.CommandLine.Model.ArgSpec;
 import picocli.CommandLine.Model.OptionSpec;
@@ -47,6 +48,9 @@ final class Faults {
       }
       if (each instanceof OutOfMemoryError || each instanceof HeapException) {
         return ExitCode.TOO_LARGE;
+      }
+      if (each instanceof BlownUpException) {
+        return ExitCode.NOT_CONVERGED;
       }
     }
     if (thrown instanceof ParameterException || thrown instanceof UsageException) {

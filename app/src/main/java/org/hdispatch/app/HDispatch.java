@@ -64,6 +64,7 @@ public final class HDispatch {
     commandLine.addSubcommand(new PermeabilityCommand(host));
     commandLine.addSubcommand(new DuctCommand(host));
     commandLine.addSubcommand(new SettleCommand(host));
+    commandLine.addSubcommand(SphCommand.commandLine(host));
     commandLine.addSubcommand(new AutoComplete.GenerateCompletion());
     commandLine.setCaseInsensitiveEnumValuesAllowed(true);
     Map<String, String> exitCodes = new LinkedHashMap<>();
@@ -71,7 +72,6 @@ public final class HDispatch {
       exitCodes.put(Integer.toString(each.code()), each.meaning());
     }
     describe(commandLine, exitCodes);
-    commandLine.getSubcommands().values().forEach(command -> describe(command, exitCodes));
     return commandLine;
   }
 
@@ -85,5 +85,6 @@ public final class HDispatch {
         .sortOptions(false)
         .exitCodeListHeading("%nExit codes:%n")
         .exitCodeList(exitCodes);
+    commandLine.getSubcommands().values().forEach(command -> describe(command, exitCodes));
   }
 }

@@ -26,6 +26,14 @@ record Host(long heapBytes, boolean terminal, Optional<Path> machineFile) {
         MachineFile.usualPlace(System.getenv(), System.getProperty("user.home")));
   }
 
+  /** Adds what a program runs on. */
+  static FlatRow describe(FlatRow row) {
+    return row.put("processors", Runtime.getRuntime().availableProcessors())
+        .put("architecture", System.getProperty("os.arch"))
+        .put("version", Version.ofProject())
+        .put("java", Version.ofJava());
+  }
+
   /**
    * Checks that something will fit.
    *

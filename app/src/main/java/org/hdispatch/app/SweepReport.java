@@ -33,7 +33,7 @@ final class SweepReport {
             .put("ideal_mlups", result.idealMlups(point))
             .put("ideal_fraction", result.idealFraction(point))
             .put("recommended", result.recommended().filter(point::equals).isPresent());
-    return DuctReport.host(row);
+    return Host.describe(row);
   }
 
   /**

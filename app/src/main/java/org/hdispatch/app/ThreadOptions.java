@@ -9,7 +9,7 @@ final class ThreadOptions {
   @Option(
       names = "--threads",
       paramLabel = "N",
-      description = "Threads that pull bundles, the caller's included.")
+      description = "Threads that pull cells, the caller's included.")
   private int threads = Runtime.getRuntime().availableProcessors();
 
   /**

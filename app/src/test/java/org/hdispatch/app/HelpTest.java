@@ -12,14 +12,19 @@ import picocli.CommandLine.Model.ArgSpec;
 class HelpTest {
   private static List<CommandLine> commands() {
     CommandLine root = HDispatch.commandLine(new Host(1, false));
-    List<CommandLine> all = new ArrayList<>(List.of(root));
-    all.addAll(root.getSubcommands().values());
+    List<CommandLine> all = new ArrayList<>();
+    collect(root, all);
     return all;
+  }
+
+  private static void collect(CommandLine command, List<CommandLine> all) {
+    all.add(command);
+    command.getSubcommands().values().forEach(each -> collect(each, all));
   }
 
   @Test
   void everyCommandHelpsAndTellsItsVersion() {
-    assertEquals(6, commands().size());
+    assertEquals(8, commands().size());
     for (CommandLine command : commands()) {
       List<String> words =
           new ArrayList<>(List.of(command.getCommandSpec().qualifiedName().split(" ")));

@@ -4,9 +4,8 @@ package org.hdispatch.sph;
 final class BlownUp {
   private BlownUp() {}
 
-  static IllegalStateException tooFast(
-      ParticleArrays particles, int n, double distance, double edge) {
-    return new IllegalStateException(
+  static BlownUpException tooFast(ParticleArrays particles, int n, double distance, double edge) {
+    return new BlownUpException(
         "particle must not move farther than a cell in a step: distance="
             + distance
             + ", edge="
@@ -14,8 +13,8 @@ final class BlownUp {
             + where(particles, n));
   }
 
-  static IllegalStateException leftTheBox(ParticleArrays particles, int n) {
-    return new IllegalStateException(
+  static BlownUpException leftTheBox(ParticleArrays particles, int n) {
+    return new BlownUpException(
         "particle must stay in the box, whose end is open there" + where(particles, n));
   }
 

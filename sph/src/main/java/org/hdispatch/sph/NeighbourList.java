@@ -51,8 +51,10 @@ public final class NeighbourList {
     System.arraycopy(other.quads, 0, quads, 0, length);
   }
 
-  /** Bytes it takes. */
+  /** Bytes of the arrays. */
   long bytes() {
-    return (long) Integer.BYTES * first.length + (long) Character.BYTES * quads.length;
+    return 2L * ParticleCell.HEADER
+        + (long) Integer.BYTES * first.length
+        + (long) Character.BYTES * quads.length;
   }
 }

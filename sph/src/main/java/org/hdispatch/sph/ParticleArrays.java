@@ -4,6 +4,8 @@ import java.util.Arrays;
 
 /** Particles in one of the two buffers of a cell: an array a quantity. */
 final class ParticleArrays {
+  private static final int DOUBLES = 9;
+
   double[] x = new double[0];
   double[] y = new double[0];
   double[] z = new double[0];
@@ -60,5 +62,13 @@ final class ParticleArrays {
     uz[to] = other.uz[from];
     phase[to] = other.phase[from];
     id[to] = other.id[from];
+  }
+
+  /** Bytes of the arrays. */
+  long bytes() {
+    long room = id.length;
+    int arrays = DOUBLES + 2;
+    return room * (DOUBLES * Double.BYTES + Byte.BYTES + Integer.BYTES)
+        + (long) arrays * ParticleCell.HEADER;
   }
 }

@@ -16,6 +16,12 @@ public final class ParticleCell {
   /** The cell itself among them. */
   static final int ITSELF = 13;
 
+  /** Bytes of the header of an array: 16 on usual JVMs. */
+  static final int HEADER = 16;
+
+  /** Bytes of the fields here and of those of the buffers and the list: references of 4 bytes. */
+  private static final int OWN_BYTES = 408;
+
   final ParticleArrays[] buffers = {new ParticleArrays(), new ParticleArrays()};
   final ParticleCell[] around = new ParticleCell[SLOTS]; // null: there is none
   final NeighbourList list = new NeighbourList();
@@ -114,6 +120,17 @@ public final class ParticleCell {
     }
     leavers[leaving] = particle;
     ways[leaving++] = (byte) slot;
+  }
+
+  /** Bytes of all that it holds. */
+  long bytes() {
+    long arrays = buffers[0].bytes() + buffers[1].bytes() + list.bytes();
+    arrays += HEADER + (long) Double.BYTES * volume.length;
+    arrays += HEADER + (long) Double.BYTES * pressure.length;
+    arrays += HEADER + (long) Double.BYTES * depth.length;
+    arrays += HEADER + (long) Integer.BYTES * leavers.length;
+    arrays += HEADER + ways.length;
+    return arrays + OWN_BYTES;
   }
 
   /** Key of the cell. */

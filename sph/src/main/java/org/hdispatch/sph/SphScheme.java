@@ -34,6 +34,7 @@ public final class SphScheme implements Scheme<ParticleCell, SphScratch> {
   private final CellMap<ParticleCell> cells;
   private final Supplier<PairSums> sums;
   private final PairForces pairs; // null: none
+  private final Surroundings surroundings;
   private final Rehash rehash;
   private final List<Pass<ParticleCell, SphScratch>> passes;
   private final StepPlan plan = new StepPlan();
@@ -67,7 +68,7 @@ public final class SphScheme implements Scheme<ParticleCell, SphScratch> {
     }
     double spacing = settings.spacing(particles.count());
     rehash = new Rehash(cells, grid, plan, solid, settings.walls, spacing);
-    Surroundings surroundings =
+    surroundings =
         new Surroundings(grid, settings.model(), viscosities, pairs != null);
     passes =
         List.of(
@@ -172,6 +173,59 @@ public final class SphScheme implements Scheme<ParticleCell, SphScratch> {
   /** The smoothing kernel. */
   public SmoothingKernel kernel() {
     return kernel;
+  }
+
+  /** Shortest edge of a cell, in the unit of length. */
+  public double cellEdge() {
+    return grid.leastEdge();
+  }
+
+  /** What the particles are made of, by number of the phase. */
+  public List<Phase> phases() {
+    return List.of(phases);
+  }
+
+  /** Number of particles, those of solids included. */
+  public int particles() {
+    int sum = 0;
+    for (int n = 0; n < cells.size(); n++) {
+      sum += cells.cellAt(n).count;
+    }
+    return sum;
+  }
+
+  /** Number of particles that move. */
+  public int fluidParticles() {
+    int sum = 0;
+    for (int n = 0; n < cells.size(); n++) {
+      ParticleCell cell = cells.cellAt(n);
+      byte[] phase = cell.buffers[written].phase;
+      for (int particle = 0; particle < cell.count; particle++) {
+        sum += phases[phase[particle]].solid() ? 0 : 1;
+      }
+    }
+    return sum;
+  }
+
+  /**
+   * Mean number of neighbours that a fluid particle had in the last step: particles closer than the
+   * support radius, but for itself. NaN before the first step. Counted anew, on the caller's
+   * thread.
+   */
+  public double neighboursMean() {
+    return new NeighbourCount(surroundings, kernel.supportRadius()).mean(cells, plan.at);
+  }
+
+  /**
+   * Bytes held for the particles: what all cells hold, with the room that their arrays have to grow
+   * and 16 bytes a header. The scratch of the workers comes on top.
+   */
+  public long bytes() {
+    long sum = 0;
+    for (int n = 0; n < cells.size(); n++) {
+      sum += cells.cellAt(n).bytes();
+    }
+    return sum;
   }
 
   /** Shows all particles, cell by cell, in an order that does not depend on workers. */

@@ -38,6 +38,11 @@ public final class SphSchemeBuilder {
     }
   }
 
+  /** The smoothing kernel. */
+  public SmoothingKernel kernel() {
+    return kernel;
+  }
+
   /** Adds a phase; phases are numbered from 0 in this order. */
   public SphSchemeBuilder phase(Phase phase) {
     phases.add(Objects.requireNonNull(phase, "phase"));
@@ -86,7 +91,7 @@ public final class SphSchemeBuilder {
               + ", support="
               + kernel.supportRadius()
               + ", skin="
-              + (reach - kernel.supportRadius()));
+              + (mode == SearchMode.VERLET ? skin() : 0));
     }
     return edge == 0 ? reach : edge;
   }

@@ -2,11 +2,14 @@ package org.hdispatch.sph;
 
 import static org.junit.jupiter.api.Assertions.assertArrayEquals;
 import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertInstanceOf;
+import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.util.Random;
 import org.hdispatch.cell.Ends;
 import org.hdispatch.dispatch.Dispatcher;
+import org.hdispatch.dispatch.KernelException;
 import org.hdispatch.dispatch.TimeLoop;
 import org.hdispatch.sph.cases.PeriodicShear;
 import org.junit.jupiter.api.Test;
@@ -203,5 +206,45 @@ class SphSchemeTest {
       loop.run(300);
       assertEquals(0, loop.stats().bytesPerStep());
     }
+  }
+
+  /** Against all pairs, at the places before the step. */
+  @ParameterizedTest
+  @EnumSource(SearchMode.class)
+  void countsTheNeighboursOfTheLastStep(SearchMode mode) {
+    int n = 7;
+    Particles particles = shaken(n, 0.4);
+    SphScheme scheme = periodic(n).search(mode).build(particles);
+    assertTrue(Double.isNaN(scheme.neighboursMean()));
+    run(scheme, 2, 1, particles.count());
+    int pairs = 0;
+    for (int i = 0; i < particles.count(); i++) {
+      for (int j = 0; j < particles.count(); j++) {
+        pairs += i != j && length(apart(particles, i, j, n)) < 3 ? 1 : 0;
+      }
+    }
+    assertEquals((double) pairs / particles.count(), scheme.neighboursMean(), 1e-12);
+    assertEquals(n * n * n, scheme.particles());
+    assertEquals(n * n * n, scheme.fluidParticles());
+  }
+
+  @Test
+  void holdsAtLeastTheStateOfItsParticlesTwice() {
+    Particles particles = shaken(12, 0.2);
+    SphScheme scheme = periodic(12).search(SearchMode.DOUBLE).build(particles);
+    run(scheme, 1, 1, particles.count());
+    double each = (double) scheme.bytes() / particles.count();
+    int state = 2 * (9 * Double.BYTES + Integer.BYTES + Byte.BYTES) + 2 * Double.BYTES;
+    assertTrue(each > state && each < 2 * state, () -> "" + each); // room to grow, headers
+  }
+
+  @Test
+  void saysWhichParticleShowsThatItBlowsUp() {
+    Particles particles = shaken(7, 0.4);
+    SphScheme scheme = periodic(7).timeStep(100).build(particles);
+    KernelException thrown =
+        assertThrows(KernelException.class, () -> run(scheme, 1, 9, particles.count()));
+    assertInstanceOf(BlownUpException.class, thrown.getCause());
+    assertTrue(thrown.getCause().getMessage().contains("particle="), thrown.getMessage());
   }
 }

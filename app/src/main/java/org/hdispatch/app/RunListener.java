@@ -2,14 +2,15 @@ package org.hdispatch.app;
 
 import java.util.Locale;
 import org.hdispatch.lbm.duct.DuctRun;
+import org.hdispatch.sph.cases.SphRun;
 
-/** Watches the collector while a duct is stepped, and shows how far it is. */
-final class DuctListener implements DuctRun.Listener {
+/** Watches the collector while a measured run is stepped, and shows how far it is. */
+final class RunListener implements DuctRun.Listener, SphRun.Listener {
   private final CollectorWatch collector;
   private final StatusLine status; // null: nobody watches
   private final String what;
 
-  DuctListener(CollectorWatch collector, StatusLine status, String what) {
+  RunListener(CollectorWatch collector, StatusLine status, String what) {
     this.collector = collector;
     this.status = status;
     this.what = what;

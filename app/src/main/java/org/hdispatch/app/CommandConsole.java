@@ -1,0 +1,51 @@
+package org.hdispatch.app;
+
+import java.io.PrintWriter;
+import java.io.UncheckedIOException;
+import java.util.Optional;
+import org.hdispatch.porous.io.ImageFileException;
+import picocli.CommandLine.Model.CommandSpec;
+
+/**
+ * Where a command prints.
+ *
+ * @param spec the command
+ * @param host whether somebody watches
+ * @param output what is wanted of it
+ */
+record CommandConsole(CommandSpec spec, Host host, OutputOptions output) {
+  /** Prints the result. */
+  void print(String text) throws ImageFileException {
+    PrintWriter out = spec.commandLine().getOut();
+    out.print(text);
+    if (out.checkError()) {
+      throw new ImageFileException("standard output must be writable");
+    }
+  }
+
+  /** Whether progress is to be shown. */
+  boolean isWatched() {
+    return host.terminal() && !output.quiet();
+  }
+
+  PrintWriter err() {
+    return spec.commandLine().getErr();
+  }
+
+  /** Warns in a line, if that is wanted. */
+  void warn(String line) {
+    if (!output.quiet()) {
+      err().println("hdispatch: warning: " + line);
+    }
+  }
+
+  /** What the collector did, if that can be read. */
+  Optional<CollectorWatch.Figures> figures(CollectorWatch collector) {
+    try {
+      return Optional.of(collector.figures());
+    } catch (UncheckedIOException e) { // a pity, but the speed is worth more
+      warn("figures of the collector must be readable: cause=" + e.getCause());
+      return Optional.empty();
+    }
+  }
+}

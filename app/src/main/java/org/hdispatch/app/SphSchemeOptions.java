@@ -1,0 +1,74 @@
+package org.hdispatch.app;
+
+import org.hdispatch.sph.Particles;
+import org.hdispatch.sph.SearchMode;
+import org.hdispatch.sph.SmoothingKernel;
+import org.hdispatch.sph.SphScheme;
+import org.hdispatch.sph.SphSchemeBuilder;
+import org.hdispatch.sph.SumForm;
+import picocli.CommandLine.Option;
+
+/** How particles find and sum over their neighbours: what changes the speed and not the flow. */
+final class SphSchemeOptions {
+  @Option(
+      names = "--search",
+      paramLabel = "MODE",
+      defaultValue = "verlet",
+      completionCandidates = Choices.OfSearch.class,
+      description =
+          "When neighbours are searched for: ${COMPLETION-CANDIDATES}. Verlet lists last until a"
+              + " particle may have moved half of a skin; single searches once a step, double once"
+              + " for densities and once for forces.")
+  private SearchMode search;
+
+  @Option(
+      names = "--cell-edge",
+      paramLabel = "DX",
+      description =
+          "Edge of a cell, in distances of particles: what a worker takes at a time. At least the"
+              + " support (verlet: and the skin). Default: as short as may be.")
+  private Double cellEdge;
+
+  @Option(
+      names = "--form",
+      paramLabel = "FORM",
+      completionCandidates = Choices.OfSums.class,
+      description =
+          "Form of the sums: ${COMPLETION-CANDIDATES}. Default: the fastest that this Java runs.")
+  private SumForm form;
+
+  SearchMode search() {
+    return search;
+  }
+
+  /**
+   * The form of the sums.
+   *
+   * @throws UsageException if this Java does not run the one that was given
+   */
+  SumForm form(SmoothingKernel kernel) {
+    SumForm fastest = SumForm.fastest(kernel);
+    if (form == SumForm.VECTOR && fastest != form) {
+      throw new UsageException(
+          "--form vector must have sums for this kernel in this Java: kernel=" + kernel);
+    }
+    return form == null ? fastest : form;
+  }
+
+  /**
+   * A scheme.
+   *
+   * @param spacing distance of particles, in the unit of length
+   * @throws UsageException if the options do not fit the settings
+   */
+  SphScheme scheme(SphSchemeBuilder settings, double spacing, Particles particles) {
+    settings.search(search).form(form(settings.kernel()));
+    return UsageException.orRefused(
+        () -> {
+          if (cellEdge != null) {
+            settings.cellEdge(cellEdge * spacing);
+          }
+          return settings.build(particles);
+        });
+  }
+}
