@@ -6,11 +6,11 @@ import java.util.ArrayList;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
-import java.util.Random;
 import java.util.TreeMap;
 import org.hdispatch.dispatch.Dispatcher;
 import org.hdispatch.porous.image.Axis;
 import org.hdispatch.porous.pore.PoreSpace;
+import org.hdispatch.porous.pore.RandomSpheres;
 import org.hdispatch.porous.pore.SpherePacking;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
@@ -18,26 +18,8 @@ import org.junit.jupiter.api.Test;
 /** "Converged to the tolerance" is true: against runs to a tolerance a hundred times smaller. */
 @Tag("validation")
 class SteadyStateValidationTest {
-  /** Overlapping random spheres, solid, until so much pore is left. */
   private static PoreSpace rubble(int n, double radius, double porosity, long seed) {
-    boolean[] solid = new boolean[n * n * n];
-    Random random = new Random(seed);
-    int pores = solid.length;
-    while (pores > porosity * solid.length) {
-      double cx = random.nextDouble() * n;
-      double cy = random.nextDouble() * n;
-      double cz = random.nextDouble() * n;
-      for (int i = 0; i < solid.length; i++) {
-        double dx = Math.IEEEremainder(i % n - cx, n);
-        double dy = Math.IEEEremainder(i / n % n - cy, n);
-        double dz = Math.IEEEremainder(i / (n * n) - cz, n);
-        if (!solid[i] && dx * dx + dy * dy + dz * dz <= radius * radius) {
-          solid[i] = true;
-          pores--;
-        }
-      }
-    }
-    return PoreSpace.of(n, n, n, (x, y, z) -> !solid[x + n * (y + n * z)]);
+    return new RandomSpheres(radius, seed).poreSpace(n, porosity);
   }
 
   private static Map<String, PoreSpace> rocks() {
