@@ -3,7 +3,7 @@ package org.hdispatch.app;
 import java.util.List;
 import org.hdispatch.porous.flow.FlowListener;
 
-/** Several listeners as one; all hear everything, in their order. */
+/** Several listeners as one; all hear everything, in their order, and one that has enough does. */
 record Listeners(List<FlowListener> all) implements FlowListener {
   @Override
   public void started(Start start) {
@@ -18,6 +18,11 @@ record Listeners(List<FlowListener> all) implements FlowListener {
   @Override
   public void progressed(Progress progress) {
     all.forEach(each -> each.progressed(progress));
+  }
+
+  @Override
+  public boolean enough() {
+    return all.stream().anyMatch(FlowListener::enough);
   }
 
   @Override

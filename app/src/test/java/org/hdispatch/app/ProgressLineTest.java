@@ -11,7 +11,8 @@ import org.junit.jupiter.api.Test;
 
 class ProgressLineTest {
   private static Progress at(int measurement, double error) {
-    return new Progress(50L * measurement, 100_000, 0.024, error, 1e-3, 0.5 * measurement, 12.34);
+    return new Progress(
+        50L * measurement, 100_000, 0.024, error, 1e-3, 0, 0.5 * measurement, 0, 12.34);
   }
 
   @Test

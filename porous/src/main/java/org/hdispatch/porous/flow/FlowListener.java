@@ -14,6 +14,11 @@ public interface FlowListener {
   /** Another measurement. */
   default void progressed(Progress progress) {}
 
+  /** Whether enough has been heard: it ends there. Asked after each measurement. */
+  default boolean enough() {
+    return false;
+  }
+
   /** Stepping is over; the field is read next. */
   default void stepped() {}
 
@@ -33,7 +38,10 @@ public interface FlowListener {
    * @param permeability k so far, voxel²
    * @param errorEstimate estimated relative error of k; infinite in the beginning
    * @param tolerance estimate at which it stops
+   * @param corrections of the pressure so far
    * @param secondsStepping wall time spent stepping, s
+   * @param secondsPressure wall time of all that has to do with pressure: setting up, start,
+   *     corrections, s
    * @param mflups million fluid-node updates per second
    */
   record Progress(
@@ -42,6 +50,8 @@ public interface FlowListener {
       double permeability,
       double errorEstimate,
       double tolerance,
+      int corrections,
       double secondsStepping,
+      double secondsPressure,
       double mflups) {}
 }

@@ -17,9 +17,6 @@ final class SteadyRun {
   /** Least number of steps before what is counted "per step" is counted. */
   private static final int WARM_UP_STEPS = 100;
 
-  /** Corrections before a single estimate below the tolerance is believed. */
-  private static final int LEAST_CORRECTIONS = 3;
-
   /** Mean pore velocity aimed at, voxels per step; k does not depend on it. */
   private static final double PORE_VELOCITY = 1e-3;
 
@@ -96,13 +93,14 @@ final class SteadyRun {
     listener.started(new FlowListener.Start(scheme.nodes(), relaxationTime));
     pressure.ifPresent(solver -> timed(() -> solver.start(force)));
     long warmUpSteps = 0;
-    boolean below = false;
+    StopRule steady = new StopRule(options.tolerance());
     boolean converged = false;
-    while (!converged && steps() < options.maxSteps()) {
-      boolean belowAgain = advance(Math.min(interval, options.maxSteps() - steps()));
-      converged = belowAgain && (below || corrections >= LEAST_CORRECTIONS);
-      below = belowAgain;
-      if (warmUpSteps == 0 && steps() >= WARM_UP_STEPS && !converged) {
+    boolean ended = false;
+    while (!ended && steps() < options.maxSteps()) {
+      advance(Math.min(interval, options.maxSteps() - steps()));
+      converged = steady.isMet(error.estimate(), corrections);
+      ended = converged || listener.enough();
+      if (warmUpSteps == 0 && steps() >= WARM_UP_STEPS && !ended) {
         warmUpSteps = steps();
         warmUpSeconds = loop.stats().nanos() * 1e-9;
         loop.resetStats();
@@ -130,7 +128,7 @@ final class SteadyRun {
   }
 
   /** Steps, measures, and corrects the pressure where that helps and more steps follow. */
-  private boolean advance(long steps) {
+  private void advance(long steps) {
     boolean correct = pressure.isPresent() && pressure.get().helpful() && steps > GAIN_STEPS;
     loop.run(correct ? steps - GAIN_STEPS : steps);
     if (correct) {
@@ -138,12 +136,10 @@ final class SteadyRun {
       loop.run(GAIN_STEPS);
     }
     measure();
-    boolean belowAgain = error.estimate() <= options.tolerance();
-    if (correct && !belowAgain) {
+    if (correct && error.estimate() > options.tolerance()) {
       timed(() -> pressure.get().correct(GAIN_STEPS, flux.section()));
       corrections++;
     }
-    return belowAgain;
   }
 
   private void timed(Runnable work) {
@@ -190,7 +186,9 @@ final class SteadyRun {
             permeability,
             error.estimate(),
             options.tolerance(),
+            corrections,
             seconds(),
+            pressureNanos * 1e-9,
             scheme.nodes() * (double) steps() / seconds() * 1e-6));
   }
 }

@@ -155,6 +155,32 @@ class LbmFlowTest {
   }
 
   @Test
+  void endsWhereTheListenerHasEnough() {
+    List<FlowListener.Progress> heard = new ArrayList<>();
+    FlowListener two =
+        new FlowListener() {
+          @Override
+          public void progressed(Progress progress) {
+            heard.add(progress);
+          }
+
+          @Override
+          public boolean enough() {
+            return heard.size() == 2;
+          }
+        };
+    try (Dispatcher dispatcher = Dispatcher.withWorkers(1)) {
+      FlowOptions options = FlowOptions.DEFAULT.withTolerance(1e-9);
+      SteadyFlow flow = LbmFlow.solve(dispatcher, maze(14, 12, 16), options, two);
+      assertEquals(heard.get(1).step(), flow.work().steps());
+      assertEquals(heard.get(1).permeability(), flow.permeability());
+      assertEquals(1, heard.get(1).corrections()); // the second follows the measurement
+      assertTrue(heard.get(1).secondsPressure() > heard.get(0).secondsPressure());
+      assertFalse(flow.converged());
+    }
+  }
+
+  @Test
   void listenerHearsOfTheStartTheWarmUpEveryMeasurementAndTheEnd() {
     List<String> heard = new ArrayList<>();
     FlowListener listener =
