@@ -1,5 +1,7 @@
 package org.hdispatch.app;
 
+import java.util.List;
+import java.util.Optional;
 import java.util.OptionalDouble;
 import java.util.OptionalInt;
 import org.hdispatch.lbm.VelocitySet;
@@ -80,6 +82,17 @@ final class FlowSettings {
   private Walls walls;
 
   @Option(
+      names = "--solid-fraction-range",
+      paramLabel = "PORE,SOLID",
+      split = ",",
+      hideParamSyntax = true,
+      description =
+          "With --walls imb, for a grey-scale image in place of a segmented one: the grey values, 0 to"
+              + " 255, of pure pore and pure solid; between them a voxel is solid in part."
+              + " Default: none, the image is segmented, for which imb brings nothing.")
+  private List<Integer> solidFractionRange;
+
+  @Option(
       names = "--sides",
       paramLabel = "SIDES",
       defaultValue = "wall",
@@ -111,6 +124,16 @@ final class FlowSettings {
 
   Walls walls() {
     return walls;
+  }
+
+  /** Grey values of pore and solid, if given. */
+  Optional<List<Integer>> solidFractionRange() {
+    if (solidFractionRange != null && solidFractionRange.size() != 2) {
+      throw new UsageException(
+          "--solid-fraction-range must be 2 integers: --solid-fraction-range="
+              + solidFractionRange);
+    }
+    return Optional.ofNullable(solidFractionRange);
   }
 
   /**

@@ -1,9 +1,11 @@
 package org.hdispatch.app;
 
 import java.nio.file.Path;
+import java.util.Arrays;
 import java.util.List;
 import java.util.Optional;
 import java.util.OptionalDouble;
+import java.util.regex.Pattern;
 import org.hdispatch.porous.darcy.Permeability;
 import org.hdispatch.porous.image.LabelRule;
 import org.hdispatch.porous.image.VoxelBox;
@@ -13,15 +15,17 @@ import picocli.CommandLine.Parameters;
 /** Which image, and how it is to be read. */
 final class ImageOptions {
   /** The options that belong to an image and to nothing else. */
-  static final List<String> NAMES =
-      List.of("--dataset", "--dims", "--box", "--pore-value", "--solid-fraction-range");
+  static final List<String> NAMES = List.of("--dataset", "--dims", "--box", "--pore-value");
+
+  /** Six integers, small enough for any image. */
+  private static final Pattern BOX = Pattern.compile("(\\s*-?\\d{1,9}\\s*,){5}\\s*-?\\d{1,9}\\s*");
 
   @Parameters(
       arity = "0..1",
       paramLabel = "IMAGE",
       description =
           "Segmented image: HDF5, or raw 8-bit (x fastest, no header; also .gz)."
-              + " Default: the bundled sample of Berea sandstone.")
+              + " Default: none, see above.")
   private Path image;
 
   @Option(
@@ -42,10 +46,9 @@ final class ImageOptions {
   @Option(
       names = "--box",
       paramLabel = "X0,Y0,Z0,NX,NY,NZ",
-      split = ",",
       hideParamSyntax = true,
       description = "Take only this part: first voxel and size. Default: the whole image.")
-  private List<Integer> box;
+  private List<String> boxes; // as they were given; null: none
 
   @Option(
       names = "--pore-value",
@@ -55,17 +58,6 @@ final class ImageOptions {
       defaultValue = "1",
       description = "Labels that are pore, 0 to 255; all others are solid.")
   private List<Integer> poreValue;
-
-  @Option(
-      names = "--solid-fraction-range",
-      paramLabel = "PORE,SOLID",
-      split = ",",
-      hideParamSyntax = true,
-      description =
-          "With --walls imb, for a grey-scale image in place of a segmented one: the grey values, 0 to"
-              + " 255, of pure pore and pure solid; between them a voxel is solid in part."
-              + " Default: none, the image is segmented, for which imb brings nothing.")
-  private List<Integer> solidFractionRange;
 
   @Option(
       names = "--voxel-edge",
@@ -83,30 +75,37 @@ final class ImageOptions {
 
   /** Size of a raw image, if given. */
   Optional<VoxelBox> dims() {
-    return numbers("--dims", dims, 3)
+    if (dims != null && dims.size() != 3) {
+      throw new UsageException("--dims must be 3 integers: --dims=" + dims);
+    }
+    return Optional.ofNullable(dims)
         .map(n -> UsageException.orRefused(() -> VoxelBox.whole(n.get(0), n.get(1), n.get(2))));
   }
 
-  /** Part of the image to take, if given. */
+  /**
+   * Part of the image to take, if given.
+   *
+   * @throws UsageException if there are several
+   */
   Optional<VoxelBox> box() {
-    return numbers("--box", box, 6)
-        .map(
-            n ->
-                UsageException.orRefused(
-                    () ->
-                        new VoxelBox(n.get(0), n.get(1), n.get(2), n.get(3), n.get(4), n.get(5))));
-  }
-
-  /** Grey values of pore and solid, if given. */
-  Optional<List<Integer>> solidFractionRange() {
-    return numbers("--solid-fraction-range", solidFractionRange, 2);
-  }
-
-  private static Optional<List<Integer>> numbers(String name, List<Integer> given, int count) {
-    if (given != null && given.size() != count) {
-      throw new UsageException(name + " must be " + count + " integers: " + name + "=" + given);
+    List<VoxelBox> all = boxes();
+    if (all.size() > 1) {
+      throw new UsageException("--box must come once: --box=" + String.join(" ", boxes));
     }
-    return Optional.ofNullable(given);
+    return all.stream().findFirst();
+  }
+
+  /** Parts of the image to take; none if none is given. */
+  List<VoxelBox> boxes() {
+    return boxes == null ? List.of() : boxes.stream().map(ImageOptions::parsed).toList();
+  }
+
+  private static VoxelBox parsed(String box) {
+    if (!BOX.matcher(box).matches()) {
+      throw new UsageException("--box must be 6 integers: --box=" + box);
+    }
+    int[] n = Arrays.stream(box.split(",")).map(String::trim).mapToInt(Integer::parseInt).toArray();
+    return UsageException.orRefused(() -> new VoxelBox(n[0], n[1], n[2], n[3], n[4], n[5]));
   }
 
   LabelRule rule() {

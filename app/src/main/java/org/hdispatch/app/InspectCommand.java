@@ -34,7 +34,7 @@ final class InspectCommand implements Callable<Integer> {
   public Integer call() throws ImageFileException {
     output.folder();
     ImageSource source = ImageSource.of(imageOptions);
-    VoxelBox box = Rock.boxOf(source, imageOptions);
+    VoxelBox box = Rock.boxOf(source, imageOptions.box());
     Inspection inspection =
         new Inspection(
             source, box, imageOptions.rule(), imageOptions.voxelEdgeOr(source.voxelEdge()));

@@ -59,7 +59,7 @@ final class PermeabilityCommand implements Callable<Integer> {
     Rock rock =
         spheres.packing().isPresent()
             ? Rock.of(spheres, imageOptions, settings.walls(), host)
-            : Rock.of(ImageSource.of(imageOptions), imageOptions, settings.walls(), host);
+            : Rock.of(ImageSource.of(imageOptions), imageOptions, settings, host);
     requireHeap(rock, options);
     if (output.folder().isEmpty()) {
       return report(compute(rock, options, fluid), Optional.empty());
@@ -119,7 +119,7 @@ final class PermeabilityCommand implements Callable<Integer> {
   }
 
   private void warnOfImmersion(Outcome outcome) {
-    if (spheres.packing().isEmpty() && imageOptions.solidFractionRange().isEmpty()) {
+    if (spheres.packing().isEmpty() && settings.solidFractionRange().isEmpty()) {
       warn(
           "immersed boundaries bring nothing to a segmented image (grey values need"
               + " --solid-fraction-range): image="
@@ -188,7 +188,7 @@ final class PermeabilityCommand implements Callable<Integer> {
     if (settings.walls() != Walls.IMB) {
       refuse("--solid-fraction-range", "--walls imb");
     }
-    if (imageOptions.solidFractionRange().isPresent()) {
+    if (settings.solidFractionRange().isPresent()) {
       refuse("--pore-value", "a segmented image, not --solid-fraction-range");
     }
     if (spheres.packing().isPresent()) {
@@ -197,6 +197,7 @@ final class PermeabilityCommand implements Callable<Integer> {
             "--spheres must not be combined with an image: image=" + imageOptions.image().get());
       }
       ImageOptions.NAMES.forEach(name -> refuse(name, "an image, not --spheres"));
+      refuse("--solid-fraction-range", "an image, not --spheres");
       requirePeriodic("--sides", Sides.PERIODIC);
       requirePeriodic("--inlet", Inlet.PERIODIC);
       refuse("--inlet-layers", "--inlet slab, not --spheres");

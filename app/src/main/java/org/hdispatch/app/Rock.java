@@ -39,15 +39,38 @@ record Rock(
   }
 
   /**
-   * Reads a part of an image.
+   * Reads the part of an image that the options say.
    *
    * @throws UsageException if the box does not fit the image, or no voxel edge is known
    * @throws ImageFileException if the image cannot be read, or has no pore there
    */
-  static Rock of(ImageSource source, ImageOptions options, Walls walls, Host host)
+  static Rock of(ImageSource source, ImageOptions options, FlowSettings settings, Host host)
+      throws ImageFileException {
+    VoxelBox box = boxOf(source, options.box());
+    return of(source, box, options, settings.walls(), settings.solidFractionRange(), host);
+  }
+
+  /**
+   * Reads a part of a segmented image, with bounce-back at the walls.
+   *
+   * @param box the part, inside of the image
+   * @throws UsageException if no voxel edge is known
+   * @throws ImageFileException if the image cannot be read, or has no pore there
+   */
+  static Rock of(ImageSource source, VoxelBox box, ImageOptions options, Host host)
+      throws ImageFileException {
+    return of(source, box, options, Walls.BOUNCE_BACK, Optional.empty(), host);
+  }
+
+  private static Rock of(
+      ImageSource source,
+      VoxelBox box,
+      ImageOptions options,
+      Walls walls,
+      Optional<List<Integer>> range,
+      Host host)
       throws ImageFileException {
     LabelRule rule = options.rule();
-    VoxelBox box = boxOf(source, options);
     OptionalDouble edge = options.voxelEdgeOr(source.voxelEdge());
     if (edge.isEmpty()) {
       throw new UsageException(
@@ -55,7 +78,6 @@ record Rock(
               + source.name());
     }
     VoxelImage image = read(source, box, host);
-    Optional<List<Integer>> range = options.solidFractionRange();
     Optional<SolidFractions> solid =
         range.map(
             grey ->
@@ -102,9 +124,9 @@ record Rock(
   }
 
   /** The box to take, checked to lie inside. */
-  static VoxelBox boxOf(ImageSource source, ImageOptions options) {
+  static VoxelBox boxOf(ImageSource source, Optional<VoxelBox> given) {
     VoxelBox whole = source.whole();
-    VoxelBox box = options.box().orElse(whole);
+    VoxelBox box = given.orElse(whole);
     return UsageException.orRefused(
         () -> {
           VoxelImage.requireFits(box.nx(), box.ny(), box.nz());

@@ -139,7 +139,9 @@ class WrongInputTest {
         "--axis | w | --axis must be one of x, y, z: --axis=w",
         "--lattice | D2Q9 | --lattice must be one of D3Q15, D3Q19",
         "--box | 0,0,0,65,64,64 | box must lie inside the image",
-        "--box | 0,0,0,4,4 | --box must be 6 integers",
+        "--box | 0,0,0,4,4 | --box must be 6 integers: --box=0,0,0,4,4",
+        "--box | 0,0,0,4,4,x | --box must be 6 integers",
+        "--box | 0,0,0,4,4,9999999999 | --box must be 6 integers",
         "--box | -1,0,0,4,4,4 | box origin must not be negative",
         "--pore-value | 256 | pore label must be within 0..255: label=256",
         "--dims | 4,4,4 | --dims must come with an IMAGE",
@@ -162,6 +164,14 @@ class WrongInputTest {
     Cli.run("permeability", "--spheres", "sc", "--solid-fraction", "0.6")
         .assertRefused(2, "spheres must not overlap");
     Cli.run("permeability", "--spheres", "sc", "--size", "0").assertRefused(2, "size=0");
+  }
+
+  @Test
+  void boxMustComeOnce() {
+    for (String command : List.of("permeability", "inspect")) {
+      Cli.run(command, "--box=0,0,0,4,4,4", "--box=1,1,1,4,4,4")
+          .assertRefused(2, "--box must come once: --box=0,0,0,4,4,4 1,1,1,4,4,4");
+    }
   }
 
   @Test
