@@ -13,9 +13,9 @@ import static org.hdispatch.sph.Neighbourhood.Y;
 import static org.hdispatch.sph.Neighbourhood.Z;
 
 /**
- * Sums in plain Java, for any JVM and any kernel. Distances, kernel values and sums are taken one
- * after the other for all neighbours of a particle, in loops short enough for the compiler to turn
- * some of them into vector instructions.
+ * Sums in plain Java, for any JVM and any kernel. The neighbours of a particle are picked out of
+ * its quads; then distances, kernel values and sums are taken one after the other for all of them,
+ * in loops short enough for the compiler to turn some of them into vector instructions.
  */
 final class ScalarSums implements PairSums {
   private final PairModel model;
@@ -23,10 +23,13 @@ final class ScalarSums implements PairSums {
   private double[] squares = new double[0];
   private double[] weights = new double[0]; // W, or (dW/dr)/r
   private double[] drag = new double[0];
+  private int[] picked = new int[0];
+  private final double beyond; // square of a distance at which the kernel is 0, rounding and all
 
   ScalarSums(PairModel model) {
     this.model = model;
     kernel = model.kernel();
+    beyond = kernel.supportRadius() * kernel.supportRadius() * (1 + 1e-12);
   }
 
   private void makeRoom(int most) {
@@ -34,6 +37,7 @@ final class ScalarSums implements PairSums {
       squares = new double[most + most / 4];
       weights = new double[squares.length];
       drag = new double[squares.length];
+      picked = new int[squares.length];
     }
   }
 
@@ -80,7 +84,7 @@ final class ScalarSums implements PairSums {
   public void density(Neighbourhood near, NeighbourList list, double[] density) {
     makeRoom(near.quads() * LANES);
     for (int i = 0; i < near.ownCount(); i++) {
-      int count = squaresOfListed(near, i, list);
+      int count = pick(near, i, list);
       kernel.shapes(squares, weights, count);
       double s0 = 0;
       double s1 = 0;
@@ -96,58 +100,89 @@ final class ScalarSums implements PairSums {
     }
   }
 
-  private int squaresOfListed(Neighbourhood near, int i, NeighbourList list) {
+  /**
+   * Picks the neighbours within the support, and gives the length of what is picked. The m-th of
+   * those in lane l of their quads comes to 4 m + l; where a lane has fewer than others, particles
+   * follow that add 0. So the partial sums add up what they would for whole quads, in their order.
+   */
+  private int pick(Neighbourhood near, int i, NeighbourList list) {
     double[] values = near.values();
     char[] quads = list.quads();
     double[] to = squares;
+    int[] which = picked;
+    double limit = beyond;
     int y = Y * near.stride();
     int z = Z * near.stride();
     int particle = near.own() + i;
     double xi = values[particle];
     double yi = values[y + particle];
     double zi = values[z + particle];
-    int count = 0;
-    for (int entry = list.first()[i]; entry < list.first()[i + 1]; entry++) {
-      int from = quads[entry] * LANES;
-      for (int n = from; n < from + LANES; n++) {
-        to[count++] = square(xi - values[n], yi - values[y + n], zi - values[z + n]);
-      }
+    int at0 = 0;
+    int at1 = 1;
+    int at2 = 2;
+    int at3 = 3;
+    int end = list.first()[i + 1];
+    for (int entry = list.first()[i]; entry < end; entry++) {
+      int n = quads[entry] * LANES;
+      double square = square(xi - values[n], yi - values[y + n], zi - values[z + n]);
+      to[at0] = square;
+      which[at0] = n;
+      at0 += square < limit ? LANES : 0;
+      square = square(xi - values[n + 1], yi - values[y + n + 1], zi - values[z + n + 1]);
+      to[at1] = square;
+      which[at1] = n + 1;
+      at1 += square < limit ? LANES : 0;
+      square = square(xi - values[n + 2], yi - values[y + n + 2], zi - values[z + n + 2]);
+      to[at2] = square;
+      which[at2] = n + 2;
+      at2 += square < limit ? LANES : 0;
+      square = square(xi - values[n + 3], yi - values[y + n + 3], zi - values[z + n + 3]);
+      to[at3] = square;
+      which[at3] = n + 3;
+      at3 += square < limit ? LANES : 0;
     }
-    return count;
+    int length = Math.max(Math.max(at0, at1), Math.max(at2, at3)) / LANES * LANES;
+    fill(at0, length, particle);
+    fill(at1, length, particle);
+    fill(at2, length, particle);
+    fill(at3, length, particle);
+    return length;
+  }
+
+  private void fill(int from, int length, int particle) {
+    for (int k = from; k < length; k += LANES) {
+      squares[k] = beyond;
+      picked[k] = particle;
+    }
   }
 
   @Override
   public void force(Neighbourhood near, NeighbourList list, double[] x, double[] y, double[] z) {
     makeRoom(near.quads() * LANES);
     for (int i = 0; i < near.ownFluids(); i++) {
-      int count = squaresOfListed(near, i, list);
+      int count = pick(near, i, list);
       kernel.slopes(squares, weights, count);
       if (model.uniform()) {
-        uniformDrag(near, i, list);
+        uniformDrag(near, i, count);
       } else if (model.mean() == ViscosityMean.ARITHMETIC) {
-        arithmeticDrag(near, i, list);
+        arithmeticDrag(near, i, count);
       } else {
-        harmonicDrag(near, i, list);
+        harmonicDrag(near, i, count);
       }
-      sum(near, i, list, x, y, z);
+      sum(near, i, count, x, y, z);
     }
   }
 
-  private void uniformDrag(Neighbourhood near, int i, NeighbourList list) {
+  private void uniformDrag(Neighbourhood near, int i, int count) {
     double[] values = near.values();
     int volume = VOLUME * near.stride();
     double own = 2 * model.uniformViscosity() * values[volume + near.own() + i];
-    int count = 0;
-    for (int entry = list.first()[i]; entry < list.first()[i + 1]; entry++) {
-      int from = list.quads()[entry] * LANES;
-      for (int n = from; n < from + LANES; n++) {
-        drag[count] = own * values[volume + n] * weights[count];
-        count++;
-      }
+    for (int k = 0; k < count; k++) {
+      drag[k] = own * values[volume + picked[k]] * weights[k];
     }
   }
 
-  private void arithmeticDrag(Neighbourhood near, int i, NeighbourList list) {
+  private void arithmeticDrag(Neighbourhood near, int i, int count) {
     double[] values = near.values();
     int volume = VOLUME * near.stride();
     int viscosity = VISCOSITY * near.stride();
@@ -157,20 +192,16 @@ final class ScalarSums implements PairSums {
     double mu = values[viscosity + particle];
     double nearness = near.nearness()[i];
     double most = model.wallFactor();
-    int count = 0;
-    for (int entry = list.first()[i]; entry < list.first()[i + 1]; entry++) {
-      int from = list.quads()[entry] * LANES;
-      for (int n = from; n < from + LANES; n++) {
-        double wall = Math.fma(values[depth + n], nearness, 1);
-        wall = wall > most ? most : wall;
-        double pair = (mu + values[viscosity + n]) * wall;
-        drag[count] = own * values[volume + n] * weights[count] * pair;
-        count++;
-      }
+    for (int k = 0; k < count; k++) {
+      int n = picked[k];
+      double wall = Math.fma(values[depth + n], nearness, 1);
+      wall = wall > most ? most : wall;
+      double pair = (mu + values[viscosity + n]) * wall;
+      drag[k] = own * values[volume + n] * weights[k] * pair;
     }
   }
 
-  private void harmonicDrag(Neighbourhood near, int i, NeighbourList list) {
+  private void harmonicDrag(Neighbourhood near, int i, int count) {
     double[] values = near.values();
     int volume = VOLUME * near.stride();
     int viscosity = VISCOSITY * near.stride();
@@ -180,25 +211,20 @@ final class ScalarSums implements PairSums {
     double fluidity = values[viscosity + particle];
     double nearness = near.nearness()[i];
     double most = model.wallFactor();
-    int count = 0;
-    for (int entry = list.first()[i]; entry < list.first()[i + 1]; entry++) {
-      int from = list.quads()[entry] * LANES;
-      for (int n = from; n < from + LANES; n++) {
-        double wall = Math.fma(values[depth + n], nearness, 1);
-        wall = wall > most ? most : wall;
-        double pair = 4 / (fluidity + values[viscosity + n]) * wall;
-        drag[count] = own * values[volume + n] * weights[count] * pair;
-        count++;
-      }
+    for (int k = 0; k < count; k++) {
+      int n = picked[k];
+      double wall = Math.fma(values[depth + n], nearness, 1);
+      wall = wall > most ? most : wall;
+      double pair = 4 / (fluidity + values[viscosity + n]) * wall;
+      drag[k] = own * values[volume + n] * weights[k] * pair;
     }
   }
 
   /** Adds up the forces of all neighbours: four partial sums for each direction. */
-  private void sum(
-      Neighbourhood near, int i, NeighbourList list, double[] x, double[] y, double[] z) {
+  private void sum(Neighbourhood near, int i, int count, double[] x, double[] y, double[] z) {
     double[] v = near.values();
     double[] slopes = weights;
-    char[] quads = list.quads();
+    int[] which = picked;
     int s = near.stride();
     int own = near.own() + i;
     double xi = v[own];
@@ -220,30 +246,31 @@ final class ScalarSums implements PairSums {
     double z1 = 0;
     double z2 = 0;
     double z3 = 0;
-    int k = 0;
-    for (int entry = list.first()[i]; entry < list.first()[i + 1]; entry++) {
-      int n = quads[entry] * LANES;
+    for (int k = 0; k < count; k += LANES) {
+      int n = which[k];
       double p = -(pi + v[PRESSURE * s + n]) * slopes[k];
       double m = drag[k];
       x0 = Math.fma(ux - v[UX * s + n], m, Math.fma(xi - v[X * s + n], p, x0));
       y0 = Math.fma(uy - v[UY * s + n], m, Math.fma(yi - v[Y * s + n], p, y0));
       z0 = Math.fma(uz - v[UZ * s + n], m, Math.fma(zi - v[Z * s + n], p, z0));
-      p = -(pi + v[PRESSURE * s + n + 1]) * slopes[k + 1];
+      n = which[k + 1];
+      p = -(pi + v[PRESSURE * s + n]) * slopes[k + 1];
       m = drag[k + 1];
-      x1 = Math.fma(ux - v[UX * s + n + 1], m, Math.fma(xi - v[X * s + n + 1], p, x1));
-      y1 = Math.fma(uy - v[UY * s + n + 1], m, Math.fma(yi - v[Y * s + n + 1], p, y1));
-      z1 = Math.fma(uz - v[UZ * s + n + 1], m, Math.fma(zi - v[Z * s + n + 1], p, z1));
-      p = -(pi + v[PRESSURE * s + n + 2]) * slopes[k + 2];
+      x1 = Math.fma(ux - v[UX * s + n], m, Math.fma(xi - v[X * s + n], p, x1));
+      y1 = Math.fma(uy - v[UY * s + n], m, Math.fma(yi - v[Y * s + n], p, y1));
+      z1 = Math.fma(uz - v[UZ * s + n], m, Math.fma(zi - v[Z * s + n], p, z1));
+      n = which[k + 2];
+      p = -(pi + v[PRESSURE * s + n]) * slopes[k + 2];
       m = drag[k + 2];
-      x2 = Math.fma(ux - v[UX * s + n + 2], m, Math.fma(xi - v[X * s + n + 2], p, x2));
-      y2 = Math.fma(uy - v[UY * s + n + 2], m, Math.fma(yi - v[Y * s + n + 2], p, y2));
-      z2 = Math.fma(uz - v[UZ * s + n + 2], m, Math.fma(zi - v[Z * s + n + 2], p, z2));
-      p = -(pi + v[PRESSURE * s + n + 3]) * slopes[k + 3];
+      x2 = Math.fma(ux - v[UX * s + n], m, Math.fma(xi - v[X * s + n], p, x2));
+      y2 = Math.fma(uy - v[UY * s + n], m, Math.fma(yi - v[Y * s + n], p, y2));
+      z2 = Math.fma(uz - v[UZ * s + n], m, Math.fma(zi - v[Z * s + n], p, z2));
+      n = which[k + 3];
+      p = -(pi + v[PRESSURE * s + n]) * slopes[k + 3];
       m = drag[k + 3];
-      x3 = Math.fma(ux - v[UX * s + n + 3], m, Math.fma(xi - v[X * s + n + 3], p, x3));
-      y3 = Math.fma(uy - v[UY * s + n + 3], m, Math.fma(yi - v[Y * s + n + 3], p, y3));
-      z3 = Math.fma(uz - v[UZ * s + n + 3], m, Math.fma(zi - v[Z * s + n + 3], p, z3));
-      k += LANES;
+      x3 = Math.fma(ux - v[UX * s + n], m, Math.fma(xi - v[X * s + n], p, x3));
+      y3 = Math.fma(uy - v[UY * s + n], m, Math.fma(yi - v[Y * s + n], p, y3));
+      z3 = Math.fma(uz - v[UZ * s + n], m, Math.fma(zi - v[Z * s + n], p, z3));
     }
     double factor = kernel.slopeFactor();
     x[i] = factor * ((x0 + x1) + (x2 + x3));
