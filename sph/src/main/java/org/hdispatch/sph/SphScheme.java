@@ -1,5 +1,8 @@
 package org.hdispatch.sph;
 
+import java.io.DataInput;
+import java.io.DataOutput;
+import java.io.IOException;
 import java.util.Arrays;
 import java.util.List;
 import java.util.function.Supplier;
@@ -38,6 +41,7 @@ public final class SphScheme implements Scheme<ParticleCell, SphScratch> {
   private final Rehash rehash;
   private final List<Pass<ParticleCell, SphScratch>> passes;
   private final StepPlan plan = new StepPlan();
+  private final SavedState savedState;
   private int written; // buffer that holds the state
   private boolean listed; // whether lists are good for the next step
   private boolean fresh = true; // no step has been made
@@ -60,6 +64,7 @@ public final class SphScheme implements Scheme<ParticleCell, SphScratch> {
     plan.timeStep = settings.timeStep;
     drive(settings.gx, settings.gy, settings.gz);
     cells = Filling.of(grid, particles);
+    savedState = new SavedState(grid, settings, particles.count(), cells);
     boolean[] solid = new boolean[phases.length];
     double[] viscosities = new double[phases.length];
     for (int phase = 0; phase < solid.length; phase++) {
@@ -86,6 +91,36 @@ public final class SphScheme implements Scheme<ParticleCell, SphScratch> {
                     settings.walls,
                     spacing / 4,
                     settings.field)));
+  }
+
+  /**
+   * Writes the state, from which {@link #restore} goes on with the same bits: a number that tells
+   * what it is the state of, then all particles, as big-endian numbers in an order that belongs to
+   * the scheme. Between steps. The next step searches for neighbours anew, in {@link
+   * SearchMode#VERLET} too: so it will after the state is restored.
+   *
+   * @throws IOException if the stream does
+   */
+  public void save(DataOutput out) throws IOException {
+    savedState.write(written, fresh, fastest, out);
+    listed = false;
+  }
+
+  /**
+   * Reads a state that a scheme has saved of the same box, cells, kernel and time step, with as
+   * many phases and particles. What phases, body force and pairwise forces are is not part of it.
+   * If it fails after the first number the state is undefined.
+   *
+   * @throws IOException if the stream does, or if it ends too early
+   * @throws IllegalArgumentException if the state is of another scheme
+   */
+  public void restore(DataInput in) throws IOException {
+    savedState.check(in);
+    fresh = in.readBoolean();
+    fastest = in.readDouble();
+    written = 0;
+    savedState.read(written, in);
+    listed = false;
   }
 
   /** A builder with defaults for a box and a kernel. */
