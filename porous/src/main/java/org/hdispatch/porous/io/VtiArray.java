@@ -1,15 +1,16 @@
 package org.hdispatch.porous.io;
 
 /**
- * A named array of a VTI file: one scalar or one vector per voxel.
+ * A named array of a VTI file: one scalar or one vector per voxel; or of a VTP file: one per point.
  *
- * <p>Shape: as the image, x fastest. The values are asked for one by one while the file is written,
- * so nothing is copied; they must not change meanwhile.
+ * <p>Shape: as the image, x fastest; as the points. The values are asked for one by one while the
+ * file is written, so nothing is copied; they must not change meanwhile.
  */
 public final class VtiArray {
   /** How the values are stored in the file. */
   enum Type {
     UINT8("UInt8", 1),
+    INT32("Int32", 4),
     FLOAT32("Float32", 4);
 
     private final String vtkName;
@@ -35,7 +36,7 @@ public final class VtiArray {
     /**
      * One value.
      *
-     * @param voxel place of the voxel, x fastest
+     * @param voxel place of the voxel, x fastest; number of the point
      * @param component 0 for a scalar; 0, 1, 2 for a vector
      * @return the value, in the unit the array is named with
      */
@@ -80,6 +81,18 @@ public final class VtiArray {
    */
   public static VtiArray labels(String name, int voxels, Values values) {
     return new VtiArray(name, Type.UINT8, 1, voxels, values);
+  }
+
+  /**
+   * Integers from anywhere, stored as Int32.
+   *
+   * @param name name in ParaView
+   * @param voxels number of voxels or points
+   * @param values the integers
+   * @return the array
+   */
+  public static VtiArray integers(String name, int voxels, Values values) {
+    return new VtiArray(name, Type.INT32, 1, voxels, values);
   }
 
   /**
