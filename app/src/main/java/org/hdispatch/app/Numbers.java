@@ -25,6 +25,26 @@ final class Numbers {
         : String.format(Locale.ROOT, "%." + (digits - 1) + "e", value);
   }
 
+  /** A number to some significant digits at most, without needless zeros or an exponent. */
+  static String plain(double value, int digits) {
+    return new BigDecimal(value)
+        .round(new MathContext(digits))
+        .stripTrailingZeros()
+        .toPlainString();
+  }
+
+  /** What numbers lie between, {@code 2.1 to 3}; one number where the two look alike. */
+  static String span(double least, double most, int digits) {
+    String low = plain(least, digits);
+    String high = plain(most, digits);
+    return low.equals(high) ? low : low + " to " + high;
+  }
+
+  /** A share that was given, such as a tolerance, as percent. */
+  static String plainPercent(double share) {
+    return plain(100 * share, 6) + " %";
+  }
+
   /** A share as percent. */
   static String percent(double share) {
     return Double.isFinite(share) ? significant(100 * share, 3) + " %" : "unknown";

@@ -22,7 +22,7 @@ final class SvgWriter {
                 + "<title>%s</title>%n<rect width=\"%1$d\" height=\"%2$d\" fill=\"white\"/>%n",
             width,
             height,
-            escaped(title)));
+            Markup.escaped(title)));
   }
 
   /** Where a text has its given place. */
@@ -44,6 +44,18 @@ final class SvgWriter {
             y2,
             colour,
             dashes.isEmpty() ? "" : " stroke-dasharray=\"" + dashes + "\""));
+  }
+
+  /** Straight lines from point to point, drawn twice as thick; {@code dashes} as SVG has them. */
+  void curve(double[] x, double[] y, String colour, String dashes) {
+    svg.append("<polyline fill=\"none\" stroke-width=\"2\" stroke-linejoin=\"round\" stroke=\"")
+        .append(colour)
+        .append(dashes.isEmpty() ? "" : "\" stroke-dasharray=\"" + dashes)
+        .append("\" points=\"");
+    for (int n = 0; n < x.length; n++) {
+      svg.append(String.format(Locale.ROOT, "%s%.1f,%.1f", n == 0 ? "" : " ", x[n], y[n]));
+    }
+    svg.append("\"/>").append(System.lineSeparator());
   }
 
   /** A filled rectangle. */
@@ -94,11 +106,7 @@ final class SvgWriter {
             degrees == 0
                 ? ""
                 : String.format(Locale.ROOT, " transform=\"rotate(%d %.1f %.1f)\"", degrees, x, y),
-            escaped(text)));
-  }
-
-  private static String escaped(String text) {
-    return text.replace("&", "&amp;").replace("<", "&lt;").replace(">", "&gt;");
+            Markup.escaped(text)));
   }
 
   /** The whole picture. */

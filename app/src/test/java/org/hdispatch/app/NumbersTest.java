@@ -20,4 +20,15 @@ class NumbersTest {
     assertEquals("12.3 %", Numbers.percent(0.12345));
     assertEquals("unknown", Numbers.percent(Double.POSITIVE_INFINITY));
   }
+
+  @Test
+  void plainNumbersHaveNoNeedlessDigits() {
+    assertEquals("0.1 %", Numbers.plainPercent(1e-3));
+    assertEquals("0.0001 %", Numbers.plainPercent(1e-6));
+    assertEquals("10000", Numbers.plain(1e4, 6));
+    assertEquals("0.00078", Numbers.plain(0.000781, 2));
+    assertEquals("3", Numbers.plain(3.0000001, 2));
+    assertEquals("2.1 to 3", Numbers.span(2.13, 3.01, 2));
+    assertEquals("3", Numbers.span(2.99, 3.01, 2));
+  }
 }

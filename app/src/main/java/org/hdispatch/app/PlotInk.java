@@ -1,0 +1,33 @@
+package org.hdispatch.app;
+
+/** Colours of plots: as they are drawn, on white, and what a page makes of them in the dark. */
+enum PlotInk {
+  /** The ground; also the inside of open marks. */
+  PAPER("white", "#15181c"),
+  /** Axes. */
+  GREY("#888888", "#8b929a"),
+  /** Grids. */
+  PALE("#dddddd", "#343a41"),
+  /** What the plot is about. */
+  FIRST("#1f5fa8", "#6cb0f5"),
+  /** What it is compared with. */
+  SECOND("#c25a00", "#f5a04c");
+
+  private final String light;
+  private final String dark;
+
+  PlotInk(String light, String dark) {
+    this.light = light;
+    this.dark = dark;
+  }
+
+  /** The colour that is drawn. */
+  String light() {
+    return light;
+  }
+
+  /** The colour in the dark. */
+  String dark() {
+    return dark;
+  }
+}
