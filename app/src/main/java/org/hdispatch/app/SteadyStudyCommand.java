@@ -1,0 +1,181 @@
+package org.hdispatch.app;
+
+import java.io.PrintWriter;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Optional;
+import java.util.concurrent.Callable;
+import java.util.concurrent.CancellationException;
+import org.hdispatch.porous.flow.FlowOptions;
+import org.hdispatch.porous.flow.LbmFlow;
+import org.hdispatch.porous.image.VoxelBox;
+import org.hdispatch.porous.io.ImageFileException;
+import picocli.CommandLine.Command;
+import picocli.CommandLine.Mixin;
+import picocli.CommandLine.Model.CommandSpec;
+import picocli.CommandLine.Spec;
+
+/**
+ * {@code hdispatch steady-study}: how k comes to its steady value, with corrections and without.
+ */
+@Command(
+    name = "steady-study",
+    description = {
+      "Follow k to its steady value, over steps and over seconds: pressure started and corrected (the"
+          + " default of permeability) against plain stepping from rest (--approach plain).",
+      "Without IMAGE: in rocks of overlapping random spheres. With IMAGE: in the whole of it, or in"
+          + " one part for each --box.",
+      "--output writes a page, steady-study.html, with curves, tables and a verdict, and the data."
+    })
+final class SteadyStudyCommand implements Callable<Integer> {
+  private static final String NAME = "steady-study";
+
+  private final Host host;
+
+  @Mixin private final ImageOptions imageOptions = new ImageOptions();
+  @Mixin private final SteadyStudyOptions options = new SteadyStudyOptions();
+  @Mixin private final ThreadOptions threadOptions = new ThreadOptions();
+  @Mixin private final OutputOptions output = new OutputOptions();
+  @Mixin private final StandardOptions standard = new StandardOptions();
+  @Spec private CommandSpec spec;
+
+  SteadyStudyCommand(Host host) {
+    this.host = host;
+  }
+
+  @Override
+  public Integer call() throws ImageFileException {
+    checkCombinations();
+    FlowOptions flow = options.flow();
+    int threads = threadOptions.threads();
+    List<Rock> rocks = imageOptions.image().isPresent() ? parts() : options.rocks(host);
+    requireHeap(rocks, flow);
+    SteadyStudy study = new SteadyStudy(rocks, flow, threads, this::warn);
+    if (output.folder().isEmpty()) {
+      run(study, rocks.size());
+      return report(study.result(), Optional.empty());
+    }
+    try (OutputFolder folder = OutputFolder.open(output.folder().get())) {
+      run(study, rocks.size());
+      return report(study.result(), Optional.of(folder));
+    }
+  }
+
+  /** The parts of the image that the options say. */
+  private List<Rock> parts() throws ImageFileException {
+    ImageSource source = ImageSource.of(imageOptions);
+    List<VoxelBox> boxes = new ArrayList<>();
+    for (VoxelBox box : imageOptions.boxes()) {
+      boxes.add(Rock.boxOf(source, Optional.of(box)));
+    }
+    if (boxes.isEmpty()) {
+      boxes.add(Rock.boxOf(source, Optional.empty()));
+    }
+    List<Rock> rocks = new ArrayList<>();
+    for (VoxelBox box : boxes) {
+      rocks.add(Rock.of(source, box, imageOptions, host));
+    }
+    return rocks;
+  }
+
+  private void requireHeap(List<Rock> rocks, FlowOptions flow) {
+    long voxels = rocks.stream().mapToLong(rock -> rock.space().voxels()).sum();
+    for (Rock rock : rocks) {
+      long bytes = UsageException.orRefused(() -> LbmFlow.estimatedBytes(rock.space(), flow));
+      host.requireHeap(
+          "the flow of " + rock.space().poreVoxels() + " pore voxels",
+          bytes + (double) voxels * Rock.BYTES_PER_VOXEL);
+    }
+  }
+
+  private void run(SteadyStudy study, int rocks) {
+    try (StatusLine status = new StatusLine(err())) {
+      boolean watched = host.terminal() && !output.quiet();
+      study.run(watched ? new SteadyProgress(status, rocks) : SteadyStudy.Listener.NONE);
+    } catch (CancellationException e) {
+      interrupted(study.result(), rocks);
+      throw e;
+    }
+  }
+
+  /** Prints what there is; files are only written whole. */
+  private void interrupted(SteadyResult result, int rocks) {
+    warn(result.rocks().size() + " of " + rocks + " rocks are done, no files are written");
+    if (!result.rocks().isEmpty()) {
+      PrintWriter out = spec.commandLine().getOut();
+      out.print(output.form(SteadyReport.rows(result), SteadyReport.text(result)));
+      out.flush();
+    }
+  }
+
+  private int report(SteadyResult result, Optional<OutputFolder> folder) throws ImageFileException {
+    List<FlatRow> rows = SteadyReport.rows(result);
+    PrintWriter out = spec.commandLine().getOut();
+    out.print(output.form(rows, SteadyReport.text(result)));
+    if (out.checkError()) {
+      throw new ImageFileException("standard output must be writable");
+    }
+    if (folder.isPresent()) {
+      write(result, rows, folder.get());
+    }
+    for (SteadyComparison each : result.rocks()) {
+      if (!each.reference().converged()) {
+        return notConverged(result, each);
+      }
+    }
+    return ExitCode.DONE.code();
+  }
+
+  private void write(SteadyResult result, List<FlatRow> rows, OutputFolder folder)
+      throws ImageFileException {
+    String csv = NAME + ".csv";
+    String json = NAME + ".json";
+    String curves = NAME + "-curves.csv";
+    folder.write(csv, FlatRow.toCsv(rows));
+    folder.write(json, FlatRow.toJson(rows));
+    folder.write(curves, FlatRow.toCsv(SteadyReport.curves(result)));
+    List<String> given = spec.root().commandLine().getParseResult().originalArgs();
+    String command = "./hdispatch " + String.join(" ", given);
+    folder.write(NAME + ".html", new SteadyPage(result).page(command, List.of(csv, json, curves)));
+  }
+
+  private int notConverged(SteadyResult result, SteadyComparison each) {
+    err()
+        .println(
+            "hdispatch: steady k must be known (give more --max-steps): rock="
+                + each.rock().name()
+                + ", steps="
+                + each.reference().steps()
+                + ", error="
+                + each.reference().errorEstimate()
+                + ", tolerance="
+                + result.referenceTolerance());
+    return ExitCode.NOT_CONVERGED.code();
+  }
+
+  private PrintWriter err() {
+    return spec.commandLine().getErr();
+  }
+
+  private void warn(String line) {
+    if (!output.quiet()) {
+      err().println("hdispatch: warning: " + line);
+    }
+  }
+
+  private void checkCombinations() {
+    output.folder();
+    if (imageOptions.image().isPresent()) {
+      SteadyStudyOptions.ROCKS.forEach(name -> refuse(name, "random spheres, not an image"));
+    } else {
+      ImageOptions.NAMES.forEach(name -> refuse(name, "an IMAGE"));
+      refuse("--voxel-edge", "an IMAGE");
+    }
+  }
+
+  private void refuse(String option, String belongsTo) {
+    if (spec.commandLine().getParseResult().hasMatchedOption(option)) {
+      throw new UsageException(option + " must come with " + belongsTo);
+    }
+  }
+}
