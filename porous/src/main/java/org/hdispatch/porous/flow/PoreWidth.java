@@ -41,29 +41,36 @@ final class PoreWidth {
     boolean along = across == options.axis();
     boolean walled = !along && options.sides() == Sides.WALL;
     Ends ends = along ? options.inlet().ends() : options.sides().ends();
-    int dx = across == Axis.X ? 1 : 0;
-    int dy = across == Axis.Y ? 1 : 0;
-    int dz = across == Axis.Z ? 1 : 0;
-    int length = across.length(rock.nx(), rock.ny(), rock.nz());
+    int stride =
+        rock.index(across == Axis.X ? 1 : 0, across == Axis.Y ? 1 : 0, across == Axis.Z ? 1 : 0);
+    int round = (across.length(rock.nx(), rock.ny(), rock.nz()) - 1) * stride; // to the last voxel
+    int block = round + stride; // the voxels whose rows along the axis lie side by side
     long faces = 0;
-    for (int z = 0; z < rock.nz(); z++) {
-      for (int y = 0; y < rock.ny(); y++) {
-        for (int x = 0; x < rock.nx(); x++) {
-          if (rock.isPore(x, y, z)) {
-            int at = across.length(x, y, z);
-            for (int step = -1; step <= 1; step += 2) {
-              int beside = ends.wrap(at + step, length);
-              int shift = beside - at;
-              boolean wall =
-                  beside < 0
-                      ? walled
-                      : !rock.isPore(x + dx * shift, y + dy * shift, z + dz * shift);
-              faces += wall ? 1 : 0;
-            }
-          }
-        }
+    for (int from = 0; from < rock.voxels(); from += block) {
+      faces += changes(rock, from, from + round, stride);
+      if (walled) {
+        faces += pores(rock, from, stride) + pores(rock, from + round, stride);
+      } else if (ends == Ends.PERIODIC) {
+        faces += changes(rock, from, from + stride, round);
       }
     }
     return faces;
+  }
+
+  /** How many voxels from one place to another differ from the one a distance behind. */
+  private static int changes(PoreSpace rock, int from, int to, int distance) {
+    int changes = 0;
+    for (int n = from; n < to; n++) {
+      changes += rock.isPore(n) == rock.isPore(n + distance) ? 0 : 1;
+    }
+    return changes;
+  }
+
+  private static int pores(PoreSpace rock, int from, int count) {
+    int pores = 0;
+    for (int n = from; n < from + count; n++) {
+      pores += rock.isPore(n) ? 1 : 0;
+    }
+    return pores;
   }
 }
