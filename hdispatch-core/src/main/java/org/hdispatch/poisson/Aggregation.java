@@ -17,11 +17,10 @@ final class Aggregation {
   }
 
   /**
-   * Finds the aggregates of a cell and notes them there.
-   *
-   * @return the place of each aggregate in the box of half as many blocks
+   * Finds the aggregates of a cell and notes them there, with the place of each in the box of half
+   * as many blocks.
    */
-  char[] of(GraphCell cell) {
+  void find(GraphCell cell) {
     if (parent.length < cell.nodes) {
       parent = new int[cell.nodes];
       outside = new boolean[cell.nodes];
@@ -32,7 +31,7 @@ final class Aggregation {
     }
     join(cell);
     findLinksOutside(cell);
-    return number(cell);
+    number(cell);
   }
 
   private void join(GraphCell cell) {
@@ -69,7 +68,7 @@ final class Aggregation {
     }
   }
 
-  private char[] number(GraphCell cell) {
+  private void number(GraphCell cell) {
     int half = edge / 2;
     long[] order = new long[cell.nodes]; // block, first node
     int count = 0;
@@ -92,7 +91,7 @@ final class Aggregation {
       cell.aggregate[node] = numberOfRoot[root(node)];
     }
     cell.restricted = new double[count];
-    return places;
+    cell.places = places;
   }
 
   private int root(int node) {

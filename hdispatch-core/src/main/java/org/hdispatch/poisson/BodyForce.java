@@ -1,18 +1,19 @@
 package org.hdispatch.poisson;
 
-import org.hdispatch.cell.CellMap;
 import org.hdispatch.cell.Ends;
 
-/** Adds the divergence of mobility times a constant force to the sources. */
+/** Adds the divergence of mobility times a constant force to the sources of one cell. */
 final class BodyForce {
   private final PoissonProblem problem;
   private final double[] force;
+  private final GraphCell cell;
   private final int[] here = new int[3];
   private final int[] there = new int[3];
 
-  private BodyForce(PoissonProblem problem, double[] force) {
+  private BodyForce(PoissonProblem problem, double[] force, GraphCell cell) {
     this.problem = problem;
     this.force = force;
+    this.cell = cell;
   }
 
   /**
@@ -20,21 +21,17 @@ final class BodyForce {
    *
    * @param factor of all mobilities
    */
-  static void add(PoissonProblem problem, CellMap<GraphCell> cells, double[] force, double factor) {
-    BodyForce body = new BodyForce(problem, force);
-    for (int n = 0; n < cells.size(); n++) {
-      GraphCell cell = cells.cellAt(n);
-      for (int m = 0; m < cell.nodes; m++) {
-        FineCells.coordinates(cell, m, body.here);
-        double flux =
-            body.flux(cell, m, cell.lower) + body.flux(cell, m, cell.upper) + body.ends(cell, m);
-        cell.source[m] -= factor * flux;
-      }
-      body.addHalo(cell, factor);
+  static void add(PoissonProblem problem, GraphCell cell, double[] force, double factor) {
+    BodyForce body = new BodyForce(problem, force, cell);
+    for (int m = 0; m < cell.nodes; m++) {
+      FineCells.coordinates(cell, m, body.here);
+      double flux = body.flux(m, cell.lower) + body.flux(m, cell.upper) + body.ends(m);
+      cell.source[m] -= factor * flux;
     }
+    body.addHalo(factor);
   }
 
-  private double flux(GraphCell cell, int node, Links links) {
+  private double flux(int node, Links links) {
     double flux = 0;
     for (int n = links.begin(node); n < links.end(node); n++) {
       FineCells.coordinates(cell, links.to()[n], there);
@@ -43,12 +40,14 @@ final class BodyForce {
     return flux;
   }
 
-  private void addHalo(GraphCell cell, double factor) {
+  private void addHalo(double factor) {
     HaloLinks halo = cell.halo;
-    for (int n = 0; n < halo.row().length; n++) {
-      FineCells.coordinates(cell, halo.row()[n], here);
-      FineCells.coordinates(halo.cell(n), halo.to()[n], there);
-      cell.source[halo.row()[n]] -= factor * halo.mobility()[n] * along();
+    for (int c = 0, n = 0; c < halo.cells().length; c++) {
+      for (; n < halo.end()[c]; n++) {
+        FineCells.coordinates(cell, halo.row()[n], here);
+        FineCells.coordinates(halo.cells()[c], halo.to()[n], there);
+        cell.source[halo.row()[n]] -= factor * halo.mobility()[n] * along();
+      }
     }
   }
 
@@ -71,13 +70,13 @@ final class BodyForce {
   }
 
   /** Out of fixed sides, half a spacing away: half the force times twice the mobility. */
-  private double ends(GraphCell cell, int node) {
+  private double ends(int node) {
     if (cell.ground == null || cell.ground[node] == 0) {
       return 0;
     }
     int sides = 0;
     double outwards = 0;
-    for (Side side : Side.values()) {
+    for (Side side : Side.ALL) {
       int axis = side.axis();
       int last = side.outwards() < 0 ? 0 : problem.extent(axis) - 1;
       if (problem.isFixed(side) && here[axis] == last) {

@@ -1,8 +1,6 @@
 package org.hdispatch.poisson;
 
 import java.util.Arrays;
-import java.util.LinkedHashMap;
-import java.util.Map;
 
 /**
  * Collects the links of one cell, node after node, adds up those between the same two nodes, and
@@ -18,7 +16,11 @@ final class CellLinker {
   private final Rows upper = new Rows();
   private int[] lowerStart = {};
   private int[] upperStart = {};
-  private final Map<GraphCell, Rows> halo = new LinkedHashMap<>();
+
+  // To other cells, in the order in which they came; the rows serve again for the next cell.
+  private GraphCell[] others = new GraphCell[8];
+  private Rows[] halo = new Rows[8];
+  private int haloCells;
 
   /** Links as they come: own node, other node, mobility. */
   private static final class Rows {
@@ -68,7 +70,8 @@ final class CellLinker {
     node = 0;
     ground = 0;
     diagonal = 0;
-    halo.clear();
+    Arrays.fill(others, 0, haloCells, null);
+    haloCells = 0;
     lower.size = 0;
     upper.size = 0;
     lowerStart = new int[cell.nodes + 1];
@@ -83,11 +86,29 @@ final class CellLinker {
       return;
     }
     diagonal += mobility;
-    Rows rows =
-        other != cell
-            ? halo.computeIfAbsent(other, first -> new Rows())
-            : otherNode < node ? lower : upper;
+    Rows rows = other != cell ? haloRows(other) : otherNode < node ? lower : upper;
     rows.add(node, otherNode, mobility);
+  }
+
+  /** The rows of links to another cell; there are few such cells. */
+  private Rows haloRows(GraphCell other) {
+    int c = 0;
+    while (c < haloCells && others[c] != other) {
+      c++;
+    }
+    if (c == haloCells) {
+      if (c == others.length) {
+        others = Arrays.copyOf(others, 2 * c);
+        halo = Arrays.copyOf(halo, 2 * c);
+      }
+      if (halo[c] == null) {
+        halo[c] = new Rows();
+      }
+      others[c] = other;
+      halo[c].size = 0;
+      haloCells++;
+    }
+    return halo[c];
   }
 
   /** A link of the node in work to a fixed side. */
@@ -116,19 +137,19 @@ final class CellLinker {
   void end() {
     cell.lower = links(lowerStart, lower);
     cell.upper = links(upperStart, upper);
-    GraphCell[] cells = halo.keySet().toArray(new GraphCell[0]);
-    int[] end = new int[cells.length];
+    GraphCell[] cells = Arrays.copyOf(others, haloCells);
+    int[] end = new int[haloCells];
     int links = 0;
-    for (int c = 0; c < cells.length; c++) {
-      links += halo.get(cells[c]).size;
+    for (int c = 0; c < haloCells; c++) {
+      links += halo[c].size;
       end[c] = links;
     }
     char[] row = new char[links];
     char[] to = new char[links];
     double[] mobility = new double[links];
     int next = 0;
-    for (GraphCell other : cells) {
-      Rows rows = halo.get(other);
+    for (int c = 0; c < haloCells; c++) {
+      Rows rows = halo[c];
       for (int n = 0; n < rows.size; n++) {
         row[next] = (char) rows.row[n];
         to[next] = (char) rows.to[n];

@@ -7,6 +7,7 @@ import java.util.TreeMap;
 import org.hdispatch.cell.CellKey;
 import org.hdispatch.cell.CellMap;
 import org.hdispatch.cell.KeyOrder;
+import org.hdispatch.dispatch.Dispatcher;
 
 /**
  * Makes the cells of the next coarser level: their nodes are the aggregates of this one, the
@@ -18,12 +19,13 @@ final class CoarseCells {
   /** Most nodes of a cell: many cells make work for many workers, and 16 bits reach them. */
   private static final int MOST_NODES = 8_192;
 
+  private final Dispatcher dispatcher;
   private final CellMap<GraphCell> fine;
-  private final Map<GraphCell, char[]> places = new HashMap<>(); // of the aggregates
   private final int fineEdge;
   private boolean doubled = true;
 
-  private CoarseCells(CellMap<GraphCell> fine, int fineEdge) {
+  private CoarseCells(Dispatcher dispatcher, CellMap<GraphCell> fine, int fineEdge) {
+    this.dispatcher = dispatcher;
     this.fine = fine;
     this.fineEdge = fineEdge;
   }
@@ -37,20 +39,20 @@ final class CoarseCells {
    * @return the cells and their edge; null if there is no use in it: no aggregate has a link, or
    *     there are nearly as many aggregates as nodes
    */
-  static Coarser of(CellMap<GraphCell> cells, int edge, long nodes) {
-    return new CoarseCells(cells, edge).build(nodes);
+  static Coarser of(Dispatcher dispatcher, CellMap<GraphCell> cells, int edge, long nodes) {
+    return new CoarseCells(dispatcher, cells, edge).build(nodes);
   }
 
   /** Cells of a level and the edge of their boxes, in blocks. */
   record Coarser(CellMap<GraphCell> cells, int edge) {}
 
   private Coarser build(long nodes) {
-    Aggregation aggregation = new Aggregation(fineEdge);
+    Passes.once(
+        dispatcher, fine, () -> new Aggregation(fineEdge), (cell, found) -> found.find(cell));
     long aggregates = 0;
     Map<Long, Integer> counts = new HashMap<>();
     for (int n = 0; n < fine.size(); n++) {
       GraphCell cell = fine.cellAt(n);
-      places.put(cell, aggregation.of(cell));
       aggregates += cell.restricted.length;
       counts.merge(coarseKey(cell.key), cell.restricted.length, Integer::sum);
     }
@@ -61,10 +63,7 @@ final class CoarseCells {
       return null;
     }
     CellMap<GraphCell> coarse = family(edge);
-    CellLinker linker = new CellLinker();
-    for (int n = 0; n < coarse.size(); n++) {
-      link(coarse.cellAt(n), linker);
-    }
+    Passes.once(dispatcher, coarse, CellLinker::new, CoarseCells::link);
     return new Coarser(coarse, edge);
   }
 
@@ -72,6 +71,7 @@ final class CoarseCells {
     for (int n = 0; n < fine.size(); n++) {
       fine.cellAt(n).aggregate = null;
       fine.cellAt(n).restricted = null;
+      fine.cellAt(n).places = null;
     }
   }
 
@@ -89,7 +89,9 @@ final class CoarseCells {
       }
     }
     long[] keys = children.keySet().stream().mapToLong(Long::longValue).toArray();
-    return CellMap.fixed(keys, KeyOrder.MORTON, key -> parent(key, children.get(key), edge));
+    CellMap<GraphCell[]> siblings = CellMap.fixed(keys, KeyOrder.MORTON, children::get);
+    Passes.once(dispatcher, siblings, () -> null, (some, none) -> makeParent(some, edge));
+    return CellMap.fixed(keys, KeyOrder.MORTON, key -> children.get(key)[0].parent);
   }
 
   private static GraphCell[] together(GraphCell[] some, GraphCell[] more) {
@@ -98,7 +100,7 @@ final class CoarseCells {
     return all;
   }
 
-  private GraphCell parent(long key, GraphCell[] children, int edge) {
+  private void makeParent(GraphCell[] children, int edge) {
     int nodes = Arrays.stream(children).mapToInt(child -> child.restricted.length).sum();
     char[] positions = new char[nodes];
     int node = 0;
@@ -108,34 +110,37 @@ final class CoarseCells {
       int x0 = doubled ? CellKey.i(child.key) % 2 * half : 0;
       int y0 = doubled ? CellKey.j(child.key) % 2 * half : 0;
       int z0 = doubled ? CellKey.k(child.key) % 2 * half : 0;
-      for (char place : places.get(child)) {
+      for (char place : child.places) {
         int x = x0 + place % half;
         int y = y0 + place / half % half;
         int z = z0 + place / (half * half);
         positions[node++] = (char) (x + edge * (y + edge * z));
       }
     }
-    GraphCell cell = new GraphCell(key, positions);
+    GraphCell cell = new GraphCell(coarseKey(children[0].key), positions);
     cell.children = children;
     for (GraphCell child : children) {
       child.parent = cell;
+      child.places = null;
     }
-    return cell;
   }
 
   private static void link(GraphCell coarse, CellLinker linker) {
     linker.begin(coarse);
     for (GraphCell child : coarse.children) {
-      int[][] members = members(child);
-      int[] haloOrder = inOrderOfRows(child);
-      int[] haloStart = haloStart(child);
-      for (int[] aggregate : members) {
-        for (int node : aggregate) {
+      int[] memberStart = starts(child.aggregate, child.restricted.length);
+      int[] members = inOrder(child.aggregate, memberStart);
+      int[] haloStart = starts(child.halo.row(), child.nodes);
+      int[] haloOrder = inOrder(child.halo.row(), haloStart);
+      GraphCell[] haloCell = child.halo.cellOfEach();
+      for (int aggregate = 0; aggregate < child.restricted.length; aggregate++) {
+        for (int m = memberStart[aggregate]; m < memberStart[aggregate + 1]; m++) {
+          int node = members[m];
           link(child, node, child.lower, linker);
           link(child, node, child.upper, linker);
           for (int n = haloStart[node]; n < haloStart[node + 1]; n++) {
             int halo = haloOrder[n];
-            link(child.halo.cell(halo), child.halo.to()[halo], child.halo.mobility()[halo], linker);
+            link(haloCell[halo], child.halo.to()[halo], child.halo.mobility()[halo], linker);
           }
           if (child.ground != null) {
             linker.ground(child.ground[node]);
@@ -159,45 +164,29 @@ final class CoarseCells {
     linker.link(other.parent, other.parentOffset + other.aggregate[node], mobility);
   }
 
-  /** First halo link of each row among those in the order of rows. */
-  private static int[] haloStart(GraphCell cell) {
-    int[] start = new int[cell.nodes + 1];
-    for (char row : cell.halo.row()) {
-      start[row + 1]++;
+  /** Where each number begins among all places that have one, in the order of the numbers. */
+  private static int[] starts(char[] numbers, int count) {
+    int[] start = new int[count + 1];
+    for (char number : numbers) {
+      if (number != GraphCell.NONE) {
+        start[number + 1]++;
+      }
     }
-    for (int m = 0; m < cell.nodes; m++) {
-      start[m + 1] += start[m];
+    for (int n = 0; n < count; n++) {
+      start[n + 1] += start[n];
     }
     return start;
   }
 
-  private static int[] inOrderOfRows(GraphCell cell) {
-    int[] next = haloStart(cell);
-    int[] order = new int[cell.halo.row().length];
-    for (int n = 0; n < order.length; n++) {
-      order[next[cell.halo.row()[n]]++] = n;
+  /** The places that have a number, in the order of the numbers, those of one in their own. */
+  private static int[] inOrder(char[] numbers, int[] starts) {
+    int[] next = starts.clone();
+    int[] order = new int[starts[starts.length - 1]];
+    for (int place = 0; place < numbers.length; place++) {
+      if (numbers[place] != GraphCell.NONE) {
+        order[next[numbers[place]]++] = place;
+      }
     }
     return order;
-  }
-
-  /** The nodes of each aggregate of a cell. */
-  private static int[][] members(GraphCell cell) {
-    int[] counts = new int[cell.restricted.length];
-    for (char aggregate : cell.aggregate) {
-      if (aggregate != GraphCell.NONE) {
-        counts[aggregate]++;
-      }
-    }
-    int[][] members = new int[counts.length][];
-    for (int n = 0; n < counts.length; n++) {
-      members[n] = new int[counts[n]];
-    }
-    for (int node = cell.nodes - 1; node >= 0; node--) {
-      char aggregate = cell.aggregate[node];
-      if (aggregate != GraphCell.NONE) {
-        members[aggregate][--counts[aggregate]] = node;
-      }
-    }
-    return members;
   }
 }

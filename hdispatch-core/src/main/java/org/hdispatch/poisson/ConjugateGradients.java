@@ -20,6 +20,11 @@ import org.hdispatch.poisson.Level.Task;
  * <p>A solve allocates nothing on any thread after warm-up, and every bit of the solution is the
  * same for any number of workers and any order of hand-out.
  *
+ * <p>Workers ask mobilities, fields and link means, several at a time and each for nodes of its
+ * own: what they answer must depend on the node alone. What such a function throws comes as a
+ * {@link KernelException}, an {@code IllegalArgumentException} as itself. All that runs on workers
+ * ends as {@link #solve} does when the caller is interrupted, and may have come to some cells only.
+ *
  * <p>Not for several threads at a time.
  */
 public final class ConjugateGradients {
@@ -31,13 +36,13 @@ public final class ConjugateGradients {
 
   private ConjugateGradients(Dispatcher dispatcher, PoissonProblem problem) {
     this.problem = problem;
-    cells = FineCells.of(problem);
-    clusters = new Clusters(cells);
+    cells = FineCells.of(dispatcher, problem);
+    clusters = new Clusters(dispatcher, cells);
     cycle = new Cycle(cells, clusters, dispatcher);
   }
 
   /**
-   * Makes the cells of a problem and all storage that solving takes.
+   * Makes the cells of a problem and all storage that solving takes; the workers link them.
    *
    * @throws IllegalArgumentException if a mobility is negative, infinite or not a number
    * @throws ArithmeticException if the active nodes number 2^31 or more
@@ -48,9 +53,7 @@ public final class ConjugateGradients {
 
   /** Sets all sources to 0. */
   public void clearSources() {
-    for (int n = 0; n < cells.size(); n++) {
-      Arrays.fill(cells.cellAt(n).source, 0);
-    }
+    cycle.finest().run(cell -> Arrays.fill(cell.source, 0));
   }
 
   /**
@@ -59,18 +62,7 @@ public final class ConjugateGradients {
    * @throws IllegalArgumentException if a value is infinite or not a number
    */
   public void addSources(NodeField field) {
-    int[] at = new int[3];
-    for (int n = 0; n < cells.size(); n++) {
-      GraphCell cell = cells.cellAt(n);
-      for (int m = 0; m < cell.nodes; m++) {
-        FineCells.coordinates(cell, m, at);
-        double value = field.at(at[0], at[1], at[2]);
-        if (!Double.isFinite(value)) {
-          throw Refusal.value("source must be finite", "source", value, at[0], at[1], at[2]);
-        }
-        cell.source[m] += value;
-      }
-    }
+    cycle.finest().run(cell -> Fields.addSources(cell, field));
   }
 
   /**
@@ -92,7 +84,8 @@ public final class ConjugateGradients {
       throw new IllegalStateException(
           "walls must be closed to flow where a force acts: value on walls=" + problem.wallValue());
     }
-    BodyForce.add(problem, cells, new double[] {gx, gy, gz}, factor);
+    double[] force = {gx, gy, gz};
+    cycle.finest().run(cell -> BodyForce.add(problem, cell, force, factor));
   }
 
   /**
@@ -111,9 +104,7 @@ public final class ConjugateGradients {
 
   /** Sets the solution to 0, for a start from there. */
   public void clearSolution() {
-    for (int n = 0; n < cells.size(); n++) {
-      Arrays.fill(cells.cellAt(n).solution, 0);
-    }
+    cycle.finest().run(cell -> Arrays.fill(cell.solution, 0));
   }
 
   /**
@@ -122,18 +113,7 @@ public final class ConjugateGradients {
    * @throws IllegalArgumentException if a value is infinite or not a number
    */
   public void guess(NodeField field) {
-    int[] at = new int[3];
-    for (int n = 0; n < cells.size(); n++) {
-      GraphCell cell = cells.cellAt(n);
-      for (int m = 0; m < cell.nodes; m++) {
-        FineCells.coordinates(cell, m, at);
-        double value = field.at(at[0], at[1], at[2]);
-        if (!Double.isFinite(value)) {
-          throw Refusal.value("first guess must be finite", "p", value, at[0], at[1], at[2]);
-        }
-        cell.solution[m] = value;
-      }
-    }
+    cycle.finest().run(cell -> Fields.guess(cell, field));
   }
 
   /**
@@ -157,8 +137,8 @@ public final class ConjugateGradients {
       throw new IllegalArgumentException(
           "number of iterations must not be negative: iterations=" + maxIterations);
     }
-    double imbalance = clusters.balance();
     Level level = cycle.finest();
+    double imbalance = clusters.balance(level);
     level.sourceFactor = 1 / factor;
     level.run(Task.BEGIN);
     double sources = level.sum(1);
@@ -181,7 +161,7 @@ public final class ConjugateGradients {
       iteration++;
       left = relative(level.sum(0), sources, iteration);
     }
-    clusters.centre();
+    clusters.centre(level);
     return new Convergence(iteration, left, left <= tolerance, imbalance);
   }
 
@@ -212,14 +192,25 @@ public final class ConjugateGradients {
 
   /** Shows the solution at every active node, cell by cell in the order of the cells. */
   public void forEachNode(NodeVisitor visitor) {
-    int[] at = new int[3];
     for (int n = 0; n < cells.size(); n++) {
-      GraphCell cell = cells.cellAt(n);
-      for (int m = 0; m < cell.nodes; m++) {
-        FineCells.coordinates(cell, m, at);
-        visitor.visit(at[0], at[1], at[2], cell.solution[m]);
-      }
+      Fields.show(cells.cellAt(n), visitor);
     }
+  }
+
+  /** As {@link #forEachNode}, but several workers show nodes at the same time, in any order. */
+  public void forEachNodeAtOnce(NodeVisitor visitor) {
+    cycle.finest().run(cell -> Fields.show(cell, visitor));
+  }
+
+  /**
+   * Sum of a field over all active nodes. Every bit is the same for any number of workers.
+   *
+   * @throws IllegalArgumentException if a value is infinite or not a number
+   */
+  public double sum(NodeField field) {
+    Level level = cycle.finest();
+    level.run(cell -> Fields.sum(cell, field));
+    return level.sum(0);
   }
 
   /** Number of active nodes. */

@@ -43,7 +43,7 @@ final class Cycle {
     while (true) {
       long nodes = nodes(cells);
       CoarseCells.Coarser coarser =
-          nodes <= DirectSolver.MOST_NODES ? null : CoarseCells.of(cells, edge, nodes);
+          nodes <= DirectSolver.MOST_NODES ? null : CoarseCells.of(dispatcher, cells, edge, nodes);
       levels.add(new Level(cells, levels.isEmpty() ? clusters : null, dispatcher));
       if (coarser == null) {
         coarsest = nodes <= DirectSolver.MOST_NODES ? new DirectSolver(cells) : null;

@@ -50,8 +50,9 @@ final class DirectSolver {
       rows[offset + m] = row;
     }
     HaloLinks halo = cell.halo;
-    for (int n = 0; n < halo.row().length; n++) {
-      int column = offsets.get(halo.cell(n)) + halo.to()[n];
+    GraphCell[] others = halo.cellOfEach();
+    for (int n = 0; n < others.length; n++) {
+      int column = offsets.get(others[n]) + halo.to()[n];
       if (column < offset) {
         rows[offset + halo.row()[n]][column] -= halo.mobility()[n];
       }

@@ -6,111 +6,149 @@ import org.hdispatch.cell.CellKey;
 import org.hdispatch.cell.CellMap;
 import org.hdispatch.cell.Ends;
 import org.hdispatch.cell.KeyOrder;
+import org.hdispatch.dispatch.Dispatcher;
 
 /**
- * Cuts the active nodes of a problem into cells of {@link #EDGE}³ nodes, and links them. Boxes
- * without active nodes get no cell.
+ * Cuts the active nodes of a problem into cells of {@link #EDGE}³ nodes, and links them, in two
+ * passes. Boxes without active nodes get no cell.
  */
 final class FineCells {
   /** Nodes along an edge of a cell: vectors and links of a cell fit into the cache of a core. */
   static final int EDGE = 16;
 
   private static final int BOX = EDGE * EDGE * EDGE;
+  private static final int[] STRIDES = {1, EDGE, EDGE * EDGE};
 
   private final PoissonProblem problem;
-  private final double[] mobilities = new double[BOX]; // of the box last looked at
-  private final char[] found = new char[BOX];
-  private final CellLinker linker = new CellLinker();
-  private CellMap<GraphCell> cells;
+  private final CellMap<Box> boxes;
+  private final CellMap<GraphCell> cells;
 
-  private FineCells(PoissonProblem problem) {
+  private FineCells(Dispatcher dispatcher, PoissonProblem problem) {
     this.problem = problem;
-  }
-
-  static CellMap<GraphCell> of(PoissonProblem problem) {
-    return new FineCells(problem).build();
-  }
-
-  private CellMap<GraphCell> build() {
-    int[] boxes = new int[3];
+    int[] extents = new int[3];
     for (int axis = 0; axis < 3; axis++) {
-      boxes[axis] = (problem.extent(axis) + EDGE - 1) / EDGE;
+      extents[axis] = (problem.extent(axis) + EDGE - 1) / EDGE;
     }
-    CellGrid grid = CellGrid.of(boxes[0], boxes[1], boxes[2], Ends.OPEN);
-    long[] keys = Arrays.stream(grid.keys()).filter(key -> look(key) > 0).toArray();
-    cells = CellMap.fixed(keys, KeyOrder.MORTON, this::cell);
-    for (int n = 0; n < cells.size(); n++) {
-      link(cells.cellAt(n));
-    }
-    return cells;
+    CellGrid grid = CellGrid.of(extents[0], extents[1], extents[2], Ends.OPEN);
+    boxes = CellMap.fixed(grid.keys(), KeyOrder.MORTON, Box::new);
+    Passes.once(dispatcher, boxes, Scratch::new, this::look);
+    long[] keys = Arrays.stream(grid.keys()).filter(key -> boxes.get(key).cell != null).toArray();
+    cells = CellMap.fixed(keys, KeyOrder.MORTON, key -> boxes.get(key).cell);
+    Passes.once(dispatcher, cells, Scratch::new, this::link);
   }
 
-  /** Finds the active nodes of a box, in increasing position, and counts them. */
-  private int look(long key) {
-    int x0 = CellKey.i(key) * EDGE;
-    int y0 = CellKey.j(key) * EDGE;
-    int z0 = CellKey.k(key) * EDGE;
+  static CellMap<GraphCell> of(Dispatcher dispatcher, PoissonProblem problem) {
+    return new FineCells(dispatcher, problem).cells;
+  }
+
+  /** A box of nodes; with what is found there. */
+  private static final class Box {
+    private final long key;
+    private GraphCell cell; // null without active nodes
+    private double[] mobility; // of the nodes of the cell
+
+    Box(long key) {
+      this.key = key;
+    }
+  }
+
+  /** What a worker needs for one box. */
+  private static final class Scratch {
+    final double[] mobility = new double[BOX]; // by node
+    final char[] position = new char[BOX]; // by node
+    final char[] number = new char[BOX]; // by position; NONE: no active node
+    final CellLinker linker = new CellLinker();
+  }
+
+  /** Finds the active nodes of a box, in increasing position, and makes its cell. */
+  private void look(Box box, Scratch scratch) {
+    int x0 = CellKey.i(box.key) * EDGE;
+    int y0 = CellKey.j(box.key) * EDGE;
+    int z0 = CellKey.k(box.key) * EDGE;
     int nodes = 0;
     for (int z = 0; z < Math.min(EDGE, problem.extent(2) - z0); z++) {
       for (int y = 0; y < Math.min(EDGE, problem.extent(1) - y0); y++) {
         for (int x = 0; x < Math.min(EDGE, problem.extent(0) - x0); x++) {
           double mobility = problem.mobility(x0 + x, y0 + y, z0 + z);
           if (mobility > 0) {
-            int position = x + EDGE * (y + EDGE * z);
-            mobilities[position] = mobility;
-            found[nodes++] = (char) position;
+            scratch.mobility[nodes] = mobility;
+            scratch.position[nodes++] = (char) (x + EDGE * (y + EDGE * z));
           }
         }
       }
     }
-    return nodes;
+    if (nodes > 0) {
+      box.mobility = Arrays.copyOf(scratch.mobility, nodes);
+      box.cell = new GraphCell(box.key, Arrays.copyOf(scratch.position, nodes));
+      box.cell.source = new double[nodes];
+    }
   }
 
-  private GraphCell cell(long key) {
-    GraphCell cell = new GraphCell(key, Arrays.copyOf(found, look(key)));
-    cell.source = new double[cell.nodes];
-    return cell;
-  }
-
-  private void link(GraphCell cell) {
-    look(cell.key);
+  private void link(GraphCell cell, Scratch scratch) {
+    double[] mobility = boxes.get(cell.key).mobility;
+    Arrays.fill(scratch.number, GraphCell.NONE);
+    for (int node = 0; node < cell.nodes; node++) {
+      scratch.number[cell.position[node]] = (char) node;
+    }
+    CellLinker linker = scratch.linker;
     linker.begin(cell);
     int[] at = new int[3];
     for (int node = 0; node < cell.nodes; node++) {
-      double own = mobilities[cell.position[node]];
-      for (Side side : Side.values()) {
-        coordinates(cell, node, at);
-        link(cell, node, own, side, at);
+      coordinates(cell, node, at);
+      for (Side side : Side.ALL) {
+        int axis = side.axis();
+        int beyond = at[axis] + side.outwards();
+        if (beyond < 0 || beyond == problem.extent(axis) || leaves(at[axis], side)) {
+          int here = at[axis];
+          linkOutside(cell, node, mobility[node], side, at, linker);
+          at[axis] = here;
+          continue;
+        }
+        int there = cell.position[node] + side.outwards() * STRIDES[axis];
+        int other = scratch.number[there];
+        if (other != GraphCell.NONE) {
+          linker.link(cell, other, problem.link(mobility[node], mobility[other]));
+        } else {
+          wall(cell, node, mobility[node], linker);
+        }
       }
       linker.nextNode();
     }
     linker.end();
   }
 
-  private void link(GraphCell cell, int node, double own, Side side, int[] at) {
+  /** Whether the neighbour on a side lies in another box. */
+  private static boolean leaves(int at, Side side) {
+    return at % EDGE == (side.outwards() < 0 ? 0 : EDGE - 1);
+  }
+
+  /** Links a node to what lies beside its box; {@code at} is the node, and then what lies there. */
+  private void linkOutside(
+      GraphCell cell, int node, double own, Side side, int[] at, CellLinker linker) {
     int axis = side.axis();
-    int beyond = at[axis] + side.outwards();
-    at[axis] = problem.ends(axis).wrap(beyond, problem.extent(axis));
+    at[axis] = problem.ends(axis).wrap(at[axis] + side.outwards(), problem.extent(axis));
     if (at[axis] >= 0) {
-      long key = CellKey.of(at[0] / EDGE, at[1] / EDGE, at[2] / EDGE);
-      GraphCell other = key == cell.key ? cell : cells.get(key);
-      int otherNode = other == null ? -1 : node(other, at[0], at[1], at[2]);
-      if (otherNode >= 0) {
-        double mobility =
-            other == cell
-                ? mobilities[other.position[otherNode]]
-                : problem.mobility(at[0], at[1], at[2]);
-        linker.link(other, otherNode, problem.link(own, mobility));
-      } else if (problem.hasFixedWalls()) {
-        fix(cell, node, own, problem.wallValue());
+      Box box = boxes.get(CellKey.of(at[0] / EDGE, at[1] / EDGE, at[2] / EDGE));
+      int other = box.cell == null ? -1 : node(box.cell, at[0], at[1], at[2]);
+      if (other >= 0) {
+        linker.link(box.cell, other, problem.link(own, box.mobility[other]));
+      } else {
+        wall(cell, node, own, linker);
       }
     } else if (problem.isFixed(side)) {
-      fix(cell, node, own, problem.value(side));
+      fix(cell, node, own, problem.value(side), linker);
+    }
+  }
+
+  /** What a node that is not active means for its neighbour. */
+  private void wall(GraphCell cell, int node, double own, CellLinker linker) {
+    if (problem.hasFixedWalls()) {
+      fix(cell, node, own, problem.wallValue(), linker);
     }
   }
 
   /** A link over half a spacing to a fixed value. */
-  private void fix(GraphCell cell, int node, double own, double value) {
+  private static void fix(GraphCell cell, int node, double own, double value, CellLinker linker) {
     linker.ground(2 * own);
     if (cell.fixedSource == null) {
       cell.fixedSource = new double[cell.nodes];

@@ -21,10 +21,14 @@ final class GraphCell {
   // Fine level only.
   double[] source; // right-hand side
   double[] fixedSource; // what the fixed sides add to it, null as ground
-  int[] cluster;
+  char[] cluster; // of each node, among those of this cell
+  int[] clusters; // number of each of them among all
+  boolean[] clusterFixed; // whether a fixed side is in reach within the cell
+  double[] clusterSums; // over this cell
 
   // To and from the next coarser level, if there is one.
   char[] aggregate; // of each node, within the cell
+  char[] places; // of the aggregates in the box of half as many blocks, until that level is made
   double[] restricted; // residual of each aggregate
   GraphCell parent;
   int parentOffset; // of this cell's aggregates among the nodes of the parent
@@ -59,7 +63,7 @@ final class GraphCell {
     bytes += 8L * nodes;
     bytes += ground == null ? 0 : 8L * nodes;
     bytes += fixedSource == null ? 0 : 8L * nodes;
-    bytes += source == null ? 0 : 12L * nodes;
+    bytes += source == null ? 0 : 10L * nodes + 13L * clusters.length;
     bytes += aggregate == null ? 0 : 2L * nodes + 8L * restricted.length;
     return bytes;
   }

@@ -14,12 +14,14 @@ record HaloLinks(GraphCell[] cells, int[] end, char[] row, char[] to, double[] m
     return 12L * cells.length + 12L * row.length;
   }
 
-  /** The cell at the other end of a link. */
-  GraphCell cell(int link) {
-    int c = 0;
-    while (end[c] <= link) {
-      c++;
+  /** The cell at the other end of each link. */
+  GraphCell[] cellOfEach() {
+    GraphCell[] each = new GraphCell[row.length];
+    for (int c = 0, link = 0; c < cells.length; c++) {
+      for (; link < end[c]; link++) {
+        each[link] = cells[c];
+      }
     }
-    return cells[c];
+    return each;
   }
 }

@@ -1,7 +1,9 @@
 package org.hdispatch.poisson;
 
+import java.util.function.Consumer;
 import org.hdispatch.cell.CellMap;
 import org.hdispatch.dispatch.Dispatcher;
+import org.hdispatch.dispatch.KernelException;
 import org.hdispatch.dispatch.Scheme;
 import org.hdispatch.dispatch.TimeLoop;
 
@@ -18,7 +20,8 @@ final class Level {
     RESTRICT,
     BACKWARD,
     DIRECT,
-    FINISH
+    FINISH,
+    EACH
   }
 
   final CellMap<GraphCell> cells;
@@ -28,6 +31,7 @@ final class Level {
   private final TimeLoop loop; // null for one cell
   private final double[] scratch; // for one cell
   private Task task = Task.BEGIN;
+  private Consumer<GraphCell> work; // of EACH
   private double alpha;
   private double beta;
   private int current; // of the two directions
@@ -64,6 +68,22 @@ final class Level {
     }
   }
 
+  /**
+   * Does something else to every cell, under the rules of a pass.
+   *
+   * @throws IllegalArgumentException if that did
+   */
+  void run(Consumer<GraphCell> ofCells) {
+    work = ofCells;
+    try {
+      run(Task.EACH);
+    } catch (KernelException e) {
+      throw Passes.reason(e);
+    } finally {
+      work = null;
+    }
+  }
+
   /** Sweeps forward after a move by alpha along the direction, see {@link Sweeps#forward}. */
   void forward(double length) {
     alpha = length;
@@ -92,6 +112,7 @@ final class Level {
       case BACKWARD -> Sweeps.backward(cell, sums);
       case DIRECT -> Kernels.direct(cell, sums, beta, current);
       case FINISH -> Kernels.finish(cell, alpha, current);
+      case EACH -> work.accept(cell);
     }
   }
 

@@ -1,6 +1,9 @@
 package org.hdispatch.poisson;
 
-/** Mobility of the nodes of a box; it also says which of them are active. */
+/**
+ * Mobility of the nodes of a box; it also says which of them are active. Several workers may ask at
+ * the same time.
+ */
 @FunctionalInterface
 public interface Mobility {
   /**

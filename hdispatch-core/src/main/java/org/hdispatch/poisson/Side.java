@@ -15,6 +15,9 @@ public enum Side {
   /** Beside the nodes with z = nz - 1. */
   Z_LAST;
 
+  /** All sides, for loops that must make nothing; not to be written to. */
+  static final Side[] ALL = values();
+
   /** The axis across this side: 0, 1, 2 for x, y, z. */
   public int axis() {
     return ordinal() / 2;

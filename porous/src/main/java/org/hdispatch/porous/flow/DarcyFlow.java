@@ -1,10 +1,12 @@
 package org.hdispatch.porous.flow;
 
+import org.hdispatch.cell.Ends;
 import org.hdispatch.dispatch.Dispatcher;
 import org.hdispatch.lbm.Lattice;
 import org.hdispatch.poisson.ConjugateGradients;
 import org.hdispatch.poisson.LinkMean;
 import org.hdispatch.poisson.NodeField;
+import org.hdispatch.poisson.NodeVisitor;
 import org.hdispatch.poisson.PoissonProblem;
 import org.hdispatch.poisson.Side;
 import org.hdispatch.porous.image.Axis;
@@ -29,6 +31,7 @@ final class DarcyFlow {
   private final double[] mobility; // by node, voxel²; 0 in the solid
   private final double[] field; // by node: a pressure over density
   private final ConjugateGradients solver;
+  private final NodeVisitor copy; // of a solution into the field
   private double force; // that goes with the pressure in the field
   private double scale; // of all mobilities
   private double startFlux;
@@ -52,6 +55,7 @@ final class DarcyFlow {
       }
     }
     solver = ConjugateGradients.on(dispatcher, between.build());
+    copy = (x, y, z, p) -> field[index(x, y, z)] = p;
   }
 
   private PoissonProblem.Builder problem() {
@@ -75,7 +79,7 @@ final class DarcyFlow {
     profile.addSources((x, y, z) -> 1);
     profile.solve(START_TOLERANCE, MOST_ITERATIONS);
     double[] profiles = new double[field.length];
-    profile.forEachNode(
+    profile.forEachNodeAtOnce(
         (x, y, z, value) -> profiles[index(x, y, z)] = Math.max(value - 0.125, value / 2));
     return profiles;
   }
@@ -105,10 +109,10 @@ final class DarcyFlow {
     solver.addForce(
         axis == Axis.X ? force : 0, axis == Axis.Y ? force : 0, axis == Axis.Z ? force : 0);
     solver.solve(START_TOLERANCE, MOST_ITERATIONS);
-    solver.forEachNode((x, y, z, p) -> field[index(x, y, z)] = p);
-    double[] sum = new double[1];
-    solver.forEachNode((x, y, z, p) -> sum[0] += velocity(x, y, z, axis));
-    startFlux = sum[0] / axis.length(lattice.nx(), lattice.ny(), lattice.nz());
+    solver.forEachNodeAtOnce(copy);
+    startFlux =
+        solver.sum((x, y, z) -> velocity(x, y, z, axis))
+            / axis.length(lattice.nx(), lattice.ny(), lattice.nz());
   }
 
   /**
@@ -124,20 +128,19 @@ final class DarcyFlow {
     solver.clearSources();
     solver.clearSolution();
     solver.scaleMobility(scale);
-    double[] squares = new double[1];
-    solver.addSources(
-        (x, y, z) -> {
-          double source = viscosity * gathering.at(x, y, z);
-          squares[0] += source * source;
-          return source;
-        });
-    return Math.sqrt(squares[0]);
+    NodeField sources = (x, y, z) -> viscosity * gathering.at(x, y, z);
+    solver.addSources(sources);
+    return Math.sqrt(solver.sum((x, y, z) -> square(sources.at(x, y, z))));
+  }
+
+  private static double square(double x) {
+    return x * x;
   }
 
   /** Finds the flow that drives away what gathers. */
   void correct() {
     solver.solve(CORRECTION_TOLERANCE, MOST_ITERATIONS);
-    solver.forEachNode((x, y, z, p) -> field[index(x, y, z)] = p);
+    solver.forEachNodeAtOnce(copy);
   }
 
   /** Pressure over density of a node, as found last. */
@@ -147,29 +150,37 @@ final class DarcyFlow {
 
   /** The flow that goes with the pressure in the field: mean over the two faces of a node. */
   double velocity(int x, int y, int z, Axis way) {
-    int dx = way == Axis.X ? 1 : 0;
-    int dy = way == Axis.Y ? 1 : 0;
-    int dz = way == Axis.Z ? 1 : 0;
-    double in = drop(x, y, z, x - dx, y - dy, z - dz, way);
-    double out = drop(x, y, z, x + dx, y + dy, z + dz, way);
+    int here = index(x, y, z);
+    int at = way.length(x, y, z);
+    double in = drop(here, at, -1, way);
+    double out = drop(here, at, 1, way);
     return scale / (2 * viscosity) * (in - out);
   }
 
-  /** Mobility times what drives fluid in from a neighbour, 0 from a wall. */
-  private double drop(int x, int y, int z, int xn, int yn, int zn, Axis way) {
-    int xi = lattice.x().wrap(xn, lattice.nx());
-    int yj = lattice.y().wrap(yn, lattice.ny());
-    int zk = lattice.z().wrap(zn, lattice.nz());
-    int here = index(x, y, z);
-    double driven = way != axis ? 0 : xn < x || yn < y || zn < z ? force : -force;
-    if (xi < 0 || yj < 0 || zk < 0) { // half way to the plenum, at twice the mobility
-      return domain.isPressed(way.ordinal()) ? mobility[here] * (driven - 2 * field[here]) : 0;
+  /**
+   * Mobility times what drives fluid in from a neighbour, 0 from a wall.
+   *
+   * @param here index of the node
+   * @param at its place along the way
+   * @param step to the neighbour, along the way
+   */
+  private double drop(int here, int at, int step, Axis way) {
+    int beside = at + step;
+    int extent = way.length(lattice.nx(), lattice.ny(), lattice.nz());
+    double driven = way == axis ? -step * force : 0;
+    if (beside < 0 || beside == extent) {
+      Ends ends = way == Axis.X ? lattice.x() : way == Axis.Y ? lattice.y() : lattice.z();
+      beside = ends.wrap(beside, extent);
+      if (beside < 0) { // half way to the plenum, at twice the mobility
+        return domain.isPressed(way.ordinal()) ? mobility[here] * (driven - 2 * field[here]) : 0;
+      }
     }
-    double there = mobility[index(xi, yj, zk)];
-    if (there == 0) {
+    int stride = way == Axis.X ? 1 : way == Axis.Y ? lattice.nx() : lattice.nx() * lattice.ny();
+    int there = here + (beside - at) * stride;
+    if (mobility[there] == 0) {
       return 0;
     }
-    double fall = field[index(xi, yj, zk)] - field[here] + driven;
-    return LinkMean.HARMONIC.of(mobility[here], there) * fall;
+    double fall = field[there] - field[here] + driven;
+    return LinkMean.HARMONIC.of(mobility[here], mobility[there]) * fall;
   }
 }
