@@ -73,8 +73,7 @@ public final class SphScheme implements Scheme<ParticleCell, SphScratch> {
     }
     double spacing = settings.spacing(particles.count());
     rehash = new Rehash(cells, grid, plan, solid, settings.walls, spacing);
-    surroundings =
-        new Surroundings(grid, settings.model(), viscosities, pairs != null);
+    surroundings = new Surroundings(grid, settings.model(), viscosities, pairs != null);
     passes =
         List.of(
             new Pass<>("rehash", rehash),

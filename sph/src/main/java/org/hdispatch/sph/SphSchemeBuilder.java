@@ -6,7 +6,7 @@ import java.util.Objects;
 
 /** Settings of a scheme; each has a default but the phases and the time step. */
 public final class SphSchemeBuilder {
-  private static final double WALL_FACTOR = 3;
+  private static final double WALL_FACTOR = 4;
   private static final double SKIN = 0.1; // of the support radius
 
   final ParticleBox box;
@@ -114,7 +114,8 @@ public final class SphSchemeBuilder {
 
   /**
    * Sets beta_max, how many times its own velocity a fluid particle may differ from the wall's in
-   * the viscous force (Morris et al. 1997: 1.5). Default: 3, which errs less.
+   * the viscous force (Morris et al. 1997: 1.5). Default: 4, which errs least: no pair of a lattice
+   * h apart asks for more.
    */
   public SphSchemeBuilder wallFactor(double most) {
     wallFactor = most;

@@ -8,6 +8,7 @@ import org.hdispatch.sph.Particles;
 import org.hdispatch.sph.Phase;
 import org.hdispatch.sph.QuinticSpline;
 import org.hdispatch.sph.SmoothingKernel;
+import org.hdispatch.sph.SoundSpeed;
 import org.hdispatch.sph.SphScheme;
 import org.hdispatch.sph.SphSchemeBuilder;
 import org.hdispatch.sph.TimeStep;
@@ -21,11 +22,23 @@ record ViscousFlow(
     double viscosity, // kinematic
     double force, // along x, per mass
     double soundSpeed) {
+  private static final double DENSITY_CHANGE = 0.01;
   private static final int SEED = 1997;
   private static final int SUPPORT = 3; // dx
 
   /** Layers of solid that particles of the fluid reach, and the skin. */
   static final int LAYERS = SUPPORT + 1;
+
+  /**
+   * Speed of sound of a creeping flow: by Morris' criteria, or as fast as costs nothing, the time
+   * step being that of viscosity (half of 2 nu/h, where the two limits meet), so that pressure is
+   * even long before the flow is.
+   */
+  static double soundSpeed(
+      double velocity, double viscosity, double length, double force, double spacing) {
+    double needed = SoundSpeed.of(velocity, viscosity, length, force, DENSITY_CHANGE).needed();
+    return Math.max(needed, viscosity / spacing);
+  }
 
   SphSchemeBuilder settings() {
     SmoothingKernel kernel = new QuinticSpline(lattice.spacing(), lattice.box().dimensions());
