@@ -13,7 +13,12 @@ import org.hdispatch.porous.flow.FlowListener;
  * count.
  */
 final class CollectorWatch implements FlowListener, AutoCloseable {
-  private GcWatch watch;
+  /*
+   * The recorder starts at once and not with the first step: in JDK 17 its first start changes
+   * classes of the JDK, and with that the JVM drops all code it has compiled so far.
+   */
+  private final GcWatch watch = GcWatch.start();
+  private boolean begun;
   private boolean warm;
 
   /**
@@ -62,7 +67,8 @@ final class CollectorWatch implements FlowListener, AutoCloseable {
 
   /** Stepping begins. */
   void begin() {
-    watch = GcWatch.start();
+    watch.mark();
+    begun = true;
   }
 
   @Override
@@ -82,19 +88,17 @@ final class CollectorWatch implements FlowListener, AutoCloseable {
    * @throws UncheckedIOException if the record of the collector cannot be read
    */
   Figures figures() {
-    if (watch == null) {
+    if (!begun) {
       return new Figures(Window.NOTHING, Window.NOTHING); // nothing was stepped
     }
     List<GcReport> reports = watch.stop();
-    return warm
-        ? new Figures(Window.of(reports.get(0)), Window.of(reports.get(1)))
-        : new Figures(Window.NOTHING, Window.of(reports.get(0)));
+    return warm // reports.get(0) is the set-up
+        ? new Figures(Window.of(reports.get(1)), Window.of(reports.get(2)))
+        : new Figures(Window.NOTHING, Window.of(reports.get(1)));
   }
 
   @Override
   public void close() {
-    if (watch != null) {
-      watch.close();
-    }
+    watch.close();
   }
 }
