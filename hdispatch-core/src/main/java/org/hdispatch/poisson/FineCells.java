@@ -95,26 +95,31 @@ final class FineCells {
     int[] at = new int[3];
     for (int node = 0; node < cell.nodes; node++) {
       coordinates(cell, node, at);
-      for (Side side : Side.ALL) {
-        int axis = side.axis();
-        int beyond = at[axis] + side.outwards();
-        if (beyond < 0 || beyond == problem.extent(axis) || leaves(at[axis], side)) {
-          int here = at[axis];
-          linkOutside(cell, node, mobility[node], side, at, linker);
-          at[axis] = here;
-          continue;
-        }
-        int there = cell.position[node] + side.outwards() * STRIDES[axis];
-        int other = scratch.number[there];
-        if (other != GraphCell.NONE) {
-          linker.link(cell, other, problem.link(mobility[node], mobility[other]));
-        } else {
-          wall(cell, node, mobility[node], linker);
-        }
-      }
+      linkNode(cell, node, at, mobility, scratch);
       linker.nextNode();
     }
     linker.end();
+  }
+
+  /** Links one node: a method of its own, for it to be compiled soon. */
+  private void linkNode(GraphCell cell, int node, int[] at, double[] mobility, Scratch scratch) {
+    double own = mobility[node];
+    for (Side side : Side.ALL) {
+      int axis = side.axis();
+      int here = at[axis];
+      int beyond = here + side.outwards();
+      if (beyond < 0 || beyond == problem.extent(axis) || leaves(here, side)) {
+        linkOutside(cell, node, own, side, at, scratch.linker);
+        at[axis] = here;
+        continue;
+      }
+      int other = scratch.number[cell.position[node] + side.outwards() * STRIDES[axis]];
+      if (other != GraphCell.NONE) {
+        scratch.linker.link(cell, other, problem.link(own, mobility[other]));
+      } else {
+        wall(cell, node, own, scratch.linker);
+      }
+    }
   }
 
   /** Whether the neighbour on a side lies in another box. */
