@@ -45,10 +45,13 @@ final class Moments {
       LbmScheme.NodeState state,
       LbmScheme.InitialState initial) {
     ChunkCursor cursor = scratch.cursor;
+    NodeRuns runs = bundle.runs();
+    int run = 0;
     cursor.begin(bundle.plan());
     while (cursor.next()) {
       for (int k = 0; k < cursor.nodes(); k++) {
-        int place = bundle.position(cursor.node(k)); // looked up once
+        run = runs.run(cursor.node(k), run);
+        int place = runs.position(cursor.node(k), run);
         state.density = 1;
         state.ux = 0;
         state.uy = 0;
@@ -69,12 +72,15 @@ final class Moments {
   void add(NodalBundle bundle, LbmScheme.Scratch scratch, LbmScheme.NodeChange change) {
     ChunkCursor cursor = scratch.cursor;
     LbmScheme.NodeState state = scratch.state;
+    NodeRuns runs = bundle.runs();
+    int run = 0;
     cursor.begin(bundle.plan());
     while (cursor.next()) {
       cursor.read(phase.previous(), phase.streamed(), scratch.chunk);
       scratch.chunk.widen(cursor.nodes());
       for (int k = 0; k < cursor.nodes(); k++) {
-        int place = bundle.position(cursor.node(k)); // looked up once
+        run = runs.run(cursor.node(k), run);
+        int place = runs.position(cursor.node(k), run);
         state.density = 0;
         state.ux = 0;
         state.uy = 0;
@@ -97,12 +103,16 @@ final class Moments {
       BodyForce force,
       LbmScheme.NodeVisitor visitor) {
     ChunkCursor cursor = scratch.cursor;
+    NodeRuns runs = bundle.runs();
+    int run = 0;
     cursor.begin(bundle.plan());
     while (cursor.next()) {
       cursor.read(phase.previous(), phase.streamed(), scratch.chunk);
       scratch.chunk.widen(cursor.nodes());
       for (int k = 0; k < cursor.nodes(); k++) {
-        visit(bundle, cursor.node(k), scratch.chunk.wide, k, force, visitor);
+        run = runs.run(cursor.node(k), run);
+        int place = runs.position(cursor.node(k), run);
+        visit(bundle, place, scratch.chunk.wide, k, force, visitor);
       }
     }
   }
@@ -110,7 +120,7 @@ final class Moments {
   /** Row i holds what left the node against velocity i. */
   private void visit(
       NodalBundle bundle,
-      int node,
+      int place,
       double[][] rows,
       int k,
       BodyForce force,
@@ -126,13 +136,14 @@ final class Moments {
       jy += set.cy(i) * a;
       jz += set.cz(i) * a;
     }
-    int place = bundle.position(node); // looked up once
     visitor.visit(bundle.xAt(place), bundle.yAt(place), bundle.zAt(place), 1 + d, jx, jy, jz);
   }
 
   /** Visits the nodes of a bundle with the mass flux through each. */
   void forEachFlux(NodalBundle bundle, LbmScheme.Scratch scratch, LbmScheme.NodeVisitor visitor) {
     ChunkCursor cursor = scratch.cursor;
+    NodeRuns runs = bundle.runs();
+    int run = 0;
     cursor.begin(bundle.plan());
     while (cursor.next()) {
       cursor.read(phase.previous(), phase.streamed(), scratch.chunk);
@@ -141,7 +152,9 @@ final class Moments {
       scratch.arriving.widen(cursor.nodes());
       bundle.faceLinks().arrive(phase.previous(), cursor, scratch.arriving.wide);
       for (int k = 0; k < cursor.nodes(); k++) {
-        flux(bundle, cursor.node(k), scratch, k, visitor);
+        run = runs.run(cursor.node(k), run);
+        int place = runs.position(cursor.node(k), run);
+        flux(bundle, place, scratch, k, visitor);
       }
     }
   }
@@ -149,7 +162,7 @@ final class Moments {
   /** What left the node and what arrives there next, row i against and along velocity i. */
   private void flux(
       NodalBundle bundle,
-      int node,
+      int place,
       LbmScheme.Scratch scratch,
       int k,
       LbmScheme.NodeVisitor visitor) {
@@ -166,7 +179,6 @@ final class Moments {
       jy += set.cy(i) * a;
       jz += set.cz(i) * a;
     }
-    int place = bundle.position(node); // looked up once
     visitor.visit(bundle.xAt(place), bundle.yAt(place), bundle.zAt(place), 1 + d, jx, jy, jz);
   }
 }

@@ -37,8 +37,27 @@ final class NodeRuns {
 
   /** Position of a node. */
   int position(int node) {
+    return position(node, run(node, 0));
+  }
+
+  /**
+   * Number of the run that a node lies in.
+   *
+   * @param guess number of a run: quickly found if it or the next one is right, as when nodes are
+   *     asked for in order
+   */
+  int run(int node, int guess) {
+    for (int run = guess; run < firstNode.length && run < guess + 2; run++) {
+      if (node >= firstNode[run] && (run + 1 == firstNode.length || node < firstNode[run + 1])) {
+        return run;
+      }
+    }
     int found = Arrays.binarySearch(firstNode, node);
-    int run = found >= 0 ? found : -found - 2;
+    return found >= 0 ? found : -found - 2;
+  }
+
+  /** Position of a node of a run. */
+  int position(int node, int run) {
     return firstPosition[run] + node - firstNode[run];
   }
 
