@@ -60,7 +60,7 @@ final class SteadyReport {
         .put("max_steps", result.options().maxSteps())
         .put("threads", result.threads())
         .putAll(each.rock().origin());
-    return DuctReport.host(row);
+    return Host.describe(row);
   }
 
   /** One row for each measurement. */

@@ -34,7 +34,6 @@ final class PressureSolver {
   private final DarcyFlow darcy;
   private final CorrectionShare correction = new CorrectionShare();
   private final TimeLoop noteDensity;
-  private final TimeLoop addGain;
   private final TimeLoop addPressure;
   private double share; // of the flow found that is added
 
@@ -44,10 +43,8 @@ final class PressureSolver {
     darcy = new DarcyFlow(dispatcher, domain, flow.relaxation().viscosity());
     double[] field = darcy.field();
     LbmScheme.NodeVisitor note = (x, y, z, rho, ux, uy, uz) -> field[index(x, y, z)] = -rho;
-    LbmScheme.NodeVisitor gain = (x, y, z, rho, ux, uy, uz) -> field[index(x, y, z)] += rho;
     LbmScheme.NodeChange change = this::change;
     noteDensity = loop(dispatcher, (bundle, scratch) -> flow.forEachNode(bundle, scratch, note));
-    addGain = loop(dispatcher, (bundle, scratch) -> flow.forEachNode(bundle, scratch, gain));
     addPressure = loop(dispatcher, (bundle, scratch) -> flow.add(bundle, scratch, change));
   }
 
@@ -80,14 +77,23 @@ final class PressureSolver {
   }
 
   /**
-   * Adds the pressure that drives away what the nodes have gained since {@link #noteDensity}, and
-   * the flow that goes with it, as far as {@link CorrectionShare} allows.
+   * Sees the density of a node now, once since {@link #noteDensity}; safe for several workers.
+   *
+   * @param density rho
+   */
+  void seeDensity(int x, int y, int z, double density) {
+    darcy.field()[index(x, y, z)] += density;
+  }
+
+  /**
+   * Adds the pressure that drives away what the nodes have gained since {@link #noteDensity}, all
+   * of them {@linkplain #seeDensity seen}, and the flow that goes with it, as far as {@link
+   * CorrectionShare} allows.
    *
    * @param steps since then; an even number, in which what changes sign from step to step is gone
    * @param flux through a section now: what the mobilities are scaled to
    */
   void correct(int steps, double flux) {
-    addGain.run(1);
     correction.judge(darcy.gather((x, y, z) -> darcy.pressure(x, y, z) / steps, flux));
     if (!helpful()) {
       return;

@@ -21,9 +21,17 @@ final class SectionFlux {
   private final CellMap<Part> parts;
   private final TimeLoop loop;
   private final double[] flux;
+  private final LbmScheme.NodeVisitor also; // sees what is measured at each node
   private double highestSpeed;
 
-  SectionFlux(Dispatcher dispatcher, FlowDomain domain, LbmScheme flow) {
+  /**
+   * Makes the pass.
+   *
+   * @param also sees density and flux of each node, called by several workers at the same time
+   */
+  SectionFlux(
+      Dispatcher dispatcher, FlowDomain domain, LbmScheme flow, LbmScheme.NodeVisitor also) {
+    this.also = also;
     this.domain = domain;
     this.flow = flow;
     flux = new double[domain.length()];
@@ -123,6 +131,7 @@ final class SectionFlux {
     }
 
     private void add(int x, int y, int z, double density, double ux, double uy, double uz) {
+      also.visit(x, y, z, density, ux, uy, uz);
       Axis axis = domain.axis();
       sums[section(x, y, z) - firstSection] += axis == Axis.X ? ux : axis == Axis.Y ? uy : uz;
       highestSquare = Math.max(highestSquare, ux * ux + uy * uy + uz * uz);

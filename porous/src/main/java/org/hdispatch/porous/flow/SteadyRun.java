@@ -77,11 +77,20 @@ final class SteadyRun {
     domain.bodies().ifPresent(builder::immersion);
     scheme = builder.build();
     loop = dispatcher.loop(scheme);
-    flux = new SectionFlux(dispatcher, domain, scheme);
     long begin = System.nanoTime();
     pressure =
         corrected ? Optional.of(new PressureSolver(dispatcher, domain, scheme)) : Optional.empty();
     pressureNanos = corrected ? System.nanoTime() - begin : 0;
+    flux = new SectionFlux(dispatcher, domain, scheme, densitySeen());
+  }
+
+  /** Gives the densities that are met when fluxes are measured to where the pressure comes from. */
+  private LbmScheme.NodeVisitor densitySeen() {
+    if (pressure.isEmpty()) {
+      return (x, y, z, rho, ux, uy, uz) -> {};
+    }
+    PressureSolver solver = pressure.get();
+    return (x, y, z, rho, ux, uy, uz) -> solver.seeDensity(x, y, z, rho);
   }
 
   private static BodyForce along(Axis axis, double force) {
