@@ -2,6 +2,7 @@
 module org.hdispatch.porous {
   requires transitive org.hdispatch.core;
   requires transitive org.hdispatch.lbm;
+  requires org.hdispatch.sph;
   requires io.jhdf;
 
   exports org.hdispatch.porous.darcy;

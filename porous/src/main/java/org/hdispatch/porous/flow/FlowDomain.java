@@ -204,6 +204,24 @@ final class FlowDomain {
     return rock.voxels();
   }
 
+  /**
+   * The fluid node beside a node, x fastest, or -1 if there is a wall.
+   *
+   * @param step 1 or -1
+   */
+  int neighbour(int node, Axis along, int step) {
+    int nx = lattice.nx();
+    int x = node % nx + (along == Axis.X ? step : 0);
+    int y = node / nx % lattice.ny() + (along == Axis.Y ? step : 0);
+    int z = node / (nx * lattice.ny()) + (along == Axis.Z ? step : 0);
+    int i = lattice.x().wrap(x, nx);
+    int j = lattice.y().wrap(y, lattice.ny());
+    int k = lattice.z().wrap(z, lattice.nz());
+    return i < 0 || j < 0 || k < 0 || !lattice.nodes().fluid(i, j, k)
+        ? -1
+        : i + nx * (j + lattice.ny() * k);
+  }
+
   /** Voxels of one slab. */
   long slabVoxels() {
     return (long) layers * crossSection();

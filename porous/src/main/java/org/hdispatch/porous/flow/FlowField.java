@@ -1,5 +1,6 @@
 package org.hdispatch.porous.flow;
 
+import java.util.function.Consumer;
 import org.hdispatch.lbm.LbmScheme;
 import org.hdispatch.porous.image.Axis;
 
@@ -40,28 +41,54 @@ public final class FlowField {
    * @param drive pressure drop over the rock per length and density, G
    */
   static FlowField of(FlowDomain domain, LbmScheme flow, double force, double drive) {
+    return of(
+        domain,
+        flow.relaxation().viscosity(),
+        force,
+        drive,
+        visitor -> {
+          LbmScheme.NodeVisitor inNodes =
+              (x, y, z, density, ux, uy, uz) ->
+                  visitor.visit(x, y, z, (density - 1) / 3, ux, uy, uz);
+          LbmScheme.Scratch scratch = flow.newScratch();
+          for (int n = 0; n < flow.cells().size(); n++) {
+            flow.forEachFlux(flow.cells().cellAt(n), scratch, inNodes);
+          }
+        });
+  }
+
+  /** Is shown the nodes of a domain: pressure over density, beside the force's, and velocity. */
+  interface Visitor {
+    void visit(int x, int y, int z, double pressure, double ux, double uy, double uz);
+  }
+
+  /**
+   * Reads the field from what shows all fluid nodes.
+   *
+   * @param viscosity kinematic viscosity
+   * @param force body force g along the flow
+   * @param drive pressure drop over the rock per length and density, G
+   */
+  static FlowField of(
+      FlowDomain domain, double viscosity, double force, double drive, Consumer<Visitor> flow) {
     FlowField field = new FlowField(domain);
-    double scale = flow.relaxation().viscosity() / drive;
+    double scale = viscosity / drive;
     double fall = force / drive;
     int x0 = domain.offset(Axis.X);
     int y0 = domain.offset(Axis.Y);
     int z0 = domain.offset(Axis.Z);
-    LbmScheme.NodeVisitor visitor =
-        (x, y, z, density, ux, uy, uz) -> {
+    flow.accept(
+        (x, y, z, pressure, ux, uy, uz) -> {
           int along = domain.axis().length(x, y, z) - domain.layers();
           if (along >= 0 && along < domain.length()) {
             int voxel = domain.rock().index(x - x0, y - y0, z - z0);
             field.velocity[0][voxel] = (float) (ux * scale);
             field.velocity[1][voxel] = (float) (uy * scale);
             field.velocity[2][voxel] = (float) (uz * scale);
-            // The density gives the pressure beside the linear fall for which the force stands.
-            field.pressure[voxel] = (float) ((density - 1) / (3 * drive) - fall * (along + 0.5));
+            // Beside the linear fall for which the force stands.
+            field.pressure[voxel] = (float) (pressure / drive - fall * (along + 0.5));
           }
-        };
-    LbmScheme.Scratch scratch = flow.newScratch();
-    for (int n = 0; n < flow.cells().size(); n++) {
-      flow.forEachFlux(flow.cells().cellAt(n), scratch, visitor);
-    }
+        });
     field.pressureFromInlet(domain);
     return field;
   }

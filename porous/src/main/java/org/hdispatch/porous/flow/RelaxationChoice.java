@@ -45,6 +45,11 @@ final class RelaxationChoice {
     return Math.exp(-BESSEL_ZERO_SQUARED * viscosity * steps / (radius * radius));
   }
 
+  /** Time in which momentum settles in a tube, R²/(5.78 nu). */
+  static double momentumTime(double radius, double viscosity) {
+    return radius * radius / (BESSEL_ZERO_SQUARED * viscosity);
+  }
+
   /** The given tau, or else the one that fits the domain. */
   static double choose(FlowOptions options, FlowDomain domain) {
     if (options.relaxationTime().isPresent()) {
@@ -78,7 +83,7 @@ final class RelaxationChoice {
    */
   static int stepsBetweenCorrections(FlowDomain domain, Relaxation relaxation) {
     double radius = domain.hydraulicDiameter() / 2;
-    double momentum = radius * radius / (BESSEL_ZERO_SQUARED * relaxation.viscosity());
+    double momentum = momentumTime(radius, relaxation.viscosity());
     double stirred = 10 * Relaxation.relaxationTime(relaxation.viscosity());
     return (int) Math.max(LEAST_STEPS, Math.min(MOST_STEPS, Math.max(momentum / 2, stirred)));
   }

@@ -23,6 +23,8 @@ import org.hdispatch.porous.pore.PoreSpace;
  * @param chosen what was chosen from the pore space
  * @param work what it took
  * @param corrections of the pressure; empty with {@link Approach#PLAIN}, or if nothing spans
+ * @param particles of smoothed particle hydrodynamics; empty with the lattice Boltzmann method, or
+ *     if nothing spans
  * @param field velocity and pressure; empty if nothing spans
  */
 public record SteadyFlow(
@@ -39,6 +41,7 @@ public record SteadyFlow(
     Chosen chosen,
     Work work,
     Optional<Corrections> corrections,
+    Optional<ParticleFigures> particles,
     Optional<FlowField> field) {
 
   /**
@@ -78,6 +81,26 @@ public record SteadyFlow(
    */
   public record Corrections(int count, boolean helpful, double seconds) {}
 
+  /**
+   * What a computation by particles looked like.
+   *
+   * @param count all particles, solid ones included
+   * @param smoothingLength h, voxels; the distance of particles is 1
+   * @param timeStep viscosity times the time step, voxel²
+   * @param limit what ruled the time step
+   * @param leastCompression least density over rest density
+   * @param mostCompression greatest density over rest density
+   * @param searches how often neighbours were listed anew
+   */
+  public record ParticleFigures(
+      int count,
+      double smoothingLength,
+      double timeStep,
+      String limit,
+      double leastCompression,
+      double mostCompression,
+      long searches) {}
+
   /** The outcome where no cluster spans: k = 0, without a step. */
   static SteadyFlow none(FlowOptions options, double porosity, Percolation percolation) {
     return new SteadyFlow(
@@ -93,6 +116,7 @@ public record SteadyFlow(
         0,
         new Chosen(Double.NaN, Double.NaN, 0),
         new Work(0, 0, 0, 0, new LoopStats(0, 0, List.of())),
+        Optional.empty(),
         Optional.empty(),
         Optional.empty());
   }

@@ -133,6 +133,7 @@ final class SteadyRun {
         pressure.map(
             solver ->
                 new SteadyFlow.Corrections(corrections, solver.helpful(), pressureNanos * 1e-9)),
+        Optional.empty(),
         Optional.of(FlowField.of(domain, scheme, force, drive())));
   }
 

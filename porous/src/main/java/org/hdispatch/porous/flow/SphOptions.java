@@ -1,0 +1,26 @@
+package org.hdispatch.porous.flow;
+
+/**
+ * How a steady flow is computed by smoothed particle hydrodynamics, beside {@link FlowOptions}: one
+ * particle a voxel, at first at its centre.
+ *
+ * @param smoothingLength h of the quintic spline, voxels
+ * @param wallFactor beta_max of the velocity in walls
+ */
+public record SphOptions(double smoothingLength, double wallFactor) {
+  /** h = 1 voxel and beta_max = 3. */
+  public static final SphOptions DEFAULT = new SphOptions(1, 3);
+
+  /**
+   * Checks the smoothing length.
+   *
+   * @throws IllegalArgumentException if h is not between 1 and 2 voxels
+   */
+  public SphOptions {
+    if (!(smoothingLength >= 1 && smoothingLength <= 2)) {
+      throw new IllegalArgumentException(
+          "smoothing length must be 1 to 2 voxels (particles lie one voxel apart): h="
+              + smoothingLength);
+    }
+  }
+}

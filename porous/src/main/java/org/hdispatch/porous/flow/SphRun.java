@@ -1,0 +1,339 @@
+package org.hdispatch.porous.flow;
+
+import java.util.Arrays;
+import java.util.List;
+import java.util.Optional;
+import org.hdispatch.dispatch.Dispatcher;
+import org.hdispatch.dispatch.TimeLoop;
+import org.hdispatch.porous.darcy.Darcy;
+import org.hdispatch.porous.image.Axis;
+import org.hdispatch.porous.pore.Percolation;
+import org.hdispatch.sph.EquationOfState;
+import org.hdispatch.sph.LatticeSum;
+import org.hdispatch.sph.Phase;
+import org.hdispatch.sph.QuinticSpline;
+import org.hdispatch.sph.SearchMode;
+import org.hdispatch.sph.SphScheme;
+import org.hdispatch.sph.TimeStep;
+
+/**
+ * One computation of a steady flow by particles. Lengths are in voxels, densities in that of the
+ * fluid; the unit of time is such that the kinematic viscosity is 1.
+ */
+final class SphRun {
+  private static final double VISCOSITY = 1;
+
+  /** So that sound, as viscosity, hardly limits the time step: c = 2 would limit it as much. */
+  private static final double SOUND_SPEED = 1.8;
+
+  /** Mean pore velocity aimed at, voxels per step: particles hardly leave the voxel they are in. */
+  private static final double PORE_VELOCITY = 1e-5;
+
+  private static final double SKIN = 0.1;
+
+  /** Steps over which the gain of density is measured. */
+  private static final int GAIN_STEPS = 4;
+
+  private static final int LEAST_INTERVAL = 20;
+  private static final int WARM_UP_STEPS = 40;
+
+  private final double porosity;
+  private final FlowOptions options;
+  private final Percolation percolation;
+  private final FlowDomain domain;
+  private final FlowListener listener;
+  private final ParticleLayout layout;
+  private final QuinticSpline kernel;
+  private final TimeStep limits;
+  private final double force;
+  private final DarcyFlow darcy;
+  private final double[] pressure; // by node: given so far, over density, beside the force's
+  private final double[][] acceleration = new double[3][]; // by node: of force and pressure given
+  private final double[] densities; // by fluid particle: noted last
+  private final SphScheme scheme;
+  private final TimeLoop loop;
+  private final CorrectionShare correction = new CorrectionShare();
+  private final ErrorOfSteadyState error = ErrorOfSteadyState.whereCorrected();
+  private final double[] sections; // flux through each layer of nodes
+  private long pressureNanos;
+  private double warmUpSeconds;
+  private int corrections;
+  private double permeability;
+  private double imbalance;
+  private double fastest;
+  private final int count;
+
+  SphRun(
+      Dispatcher dispatcher,
+      double porosity,
+      FlowOptions options,
+      SphOptions settings,
+      Percolation percolation,
+      FlowDomain domain,
+      FlowListener listener) {
+    this.porosity = porosity;
+    this.options = options;
+    this.percolation = percolation;
+    this.domain = domain;
+    this.listener = listener;
+    kernel = new QuinticSpline(settings.smoothingLength(), 3);
+    Phase fluid =
+        Phase.fluid(
+            "fluid",
+            1 / LatticeSum.of(kernel, 1).numberDensity(),
+            VISCOSITY,
+            EquationOfState.linear(1, SOUND_SPEED / settings.smoothingLength(), 0));
+    double viscousStep = TimeStep.of(kernel, List.of(fluid), 0).allowed();
+    force =
+        PORE_VELOCITY
+            / viscousStep
+            * domain.rock().porosity()
+            * VISCOSITY
+            / domain.guessedPermeability();
+    limits = TimeStep.of(kernel, List.of(fluid), force);
+    layout = new ParticleLayout(domain, kernel.supportRadius() + SKIN);
+    long begin = System.nanoTime();
+    darcy = new DarcyFlow(dispatcher, domain, VISCOSITY);
+    darcy.start(force);
+    pressure = new double[darcy.field().length];
+    for (Axis axis : Axis.values()) {
+      acceleration[axis.ordinal()] = new double[pressure.length];
+    }
+    give(1);
+    pressureNanos = System.nanoTime() - begin;
+    var particles = layout.particles((x, y, z, axis) -> darcy.velocity(x, y, z, axis));
+    count = particles.count();
+    scheme =
+        SphScheme.builder(layout.box(), kernel)
+            .phase(fluid)
+            .phase(Phase.wallOf(fluid))
+            .search(SearchMode.VERLET)
+            .skin(SKIN)
+            .walls(layout.distance())
+            .wallFactor(settings.wallFactor())
+            .accelerationField(this::accelerate)
+            .timeStep(limits.allowed())
+            .build(particles);
+    loop = dispatcher.loop(scheme);
+    densities = new double[layout.nodes().length];
+    sections =
+        new double
+            [options
+                .axis()
+                .length(domain.lattice().nx(), domain.lattice().ny(), domain.lattice().nz())];
+  }
+
+  private void accelerate(double x, double y, double z, double[] to) {
+    int node = layout.nodeAt(x, y, z);
+    to[0] = acceleration[0][node];
+    to[1] = acceleration[1][node];
+    to[2] = acceleration[2][node];
+  }
+
+  /** Adds a share of the pressure found last, and takes its gradient for an acceleration. */
+  private void give(double share) {
+    double[] field = darcy.field();
+    for (int node : layout.nodes()) {
+      pressure[node] += share * field[node];
+    }
+    for (Axis axis : Axis.values()) {
+      double[] along = acceleration[axis.ordinal()];
+      double body = axis == options.axis() ? force : 0;
+      for (int node : layout.nodes()) {
+        along[node] = body - slope(node, axis);
+      }
+    }
+  }
+
+  /** Slope of the pressure given: over the neighbours that are no wall. */
+  private double slope(int node, Axis axis) {
+    double sum = 0;
+    int sides = 0;
+    for (int step = -1; step <= 1; step += 2) {
+      int beside = domain.neighbour(node, axis, step);
+      if (beside >= 0) {
+        sum += step * (pressure[beside] - pressure[node]);
+        sides++;
+      }
+    }
+    return sides == 0 ? 0 : sum / sides;
+  }
+
+  SteadyFlow toSteadyState() {
+    listener.started(new FlowListener.Start(layout.nodes().length, Double.NaN));
+    int interval = interval();
+    long warmUpSteps = 0;
+    StopRule steady = new StopRule(options.tolerance());
+    boolean converged = false;
+    boolean ended = false;
+    while (!ended && steps() < options.maxSteps()) {
+      advance(Math.min(interval, options.maxSteps() - steps()));
+      converged = steady.isMet(error.estimate(), corrections);
+      ended = converged || listener.enough();
+      if (warmUpSteps == 0 && steps() >= WARM_UP_STEPS && !ended) {
+        warmUpSteps = steps();
+        warmUpSeconds = loop.stats().nanos() * 1e-9;
+        loop.resetStats();
+        listener.warmedUp();
+      }
+    }
+    listener.stepped();
+    double[] compression = scheme.compression();
+    return new SteadyFlow(
+        options,
+        porosity,
+        domain.connectedPorosity(),
+        percolation,
+        permeability,
+        error.estimate(),
+        error.lastChange(),
+        imbalance,
+        converged,
+        fastest / SOUND_SPEED,
+        new SteadyFlow.Chosen(domain.hydraulicDiameter(), Double.NaN, domain.layers()),
+        new SteadyFlow.Work(layout.nodes().length, steps(), seconds(), warmUpSteps, loop.stats()),
+        Optional.of(
+            new SteadyFlow.Corrections(corrections, correction.helpful(), pressureNanos * 1e-9)),
+        Optional.of(
+            new SteadyFlow.ParticleFigures(
+                count,
+                kernel.smoothingLength(),
+                VISCOSITY * limits.allowed(),
+                limits.rules(),
+                compression[0],
+                compression[1],
+                scheme.rebuilds())),
+        Optional.of(field()));
+  }
+
+  /** Steps after which momentum has followed a correction. */
+  private int interval() {
+    double radius = domain.hydraulicDiameter() / 2;
+    double momentum = RelaxationChoice.momentumTime(radius, VISCOSITY * limits.allowed());
+    return (int) Math.max(LEAST_INTERVAL, Math.ceil(momentum));
+  }
+
+  private void advance(long steps) {
+    boolean correct = correction.helpful() && steps > GAIN_STEPS;
+    loop.run(correct ? steps - GAIN_STEPS : steps);
+    if (correct) {
+      scheme.forEachParticle(
+          (id, phase, x, y, z, u, v, w, n, p) -> {
+            if (phase == ParticleLayout.FLUID) {
+              densities[id] = n;
+            }
+          });
+      loop.run(GAIN_STEPS);
+    }
+    measure();
+    if (correct && error.estimate() > options.tolerance()) {
+      long begin = System.nanoTime();
+      correct();
+      pressureNanos += System.nanoTime() - begin;
+    }
+  }
+
+  /** Gives the pressure that drives away what gathers. */
+  private void correct() {
+    double[] gain = darcy.field();
+    double time = GAIN_STEPS * limits.allowed();
+    scheme.forEachParticle(
+        (id, phase, x, y, z, u, v, w, n, p) -> {
+          if (phase == ParticleLayout.FLUID) {
+            gain[layout.nodes()[id]] = (n / densities[id] - 1) / time;
+          }
+        });
+    correction.judge(darcy.gather(darcy::pressure, section()));
+    if (correction.helpful()) {
+      darcy.correct();
+      give(correction.share());
+      corrections++;
+    }
+  }
+
+  /** Mean flux through a section of the rock. */
+  private double section() {
+    double sum = 0;
+    for (int n = 0; n < domain.length(); n++) {
+      sum += sections[domain.layers() + n];
+    }
+    return sum / domain.length();
+  }
+
+  private void measure() {
+    Arrays.fill(sections, 0);
+    double[] fastestSquare = new double[1];
+    scheme.forEachParticle(
+        (id, phase, x, y, z, u, v, w, n, p) -> {
+          if (phase == ParticleLayout.FLUID) {
+            Axis axis = options.axis();
+            double along = axis == Axis.X ? u : axis == Axis.Y ? v : w;
+            sections[layout.coordinate(layout.nodes()[id], axis)] += along;
+            fastestSquare[0] = Math.max(fastestSquare[0], u * u + v * v + w * w);
+          }
+        });
+    fastest = Math.sqrt(fastestSquare[0]);
+    double mean = section();
+    imbalance = 0;
+    for (int n = 0; n < domain.length(); n++) {
+      imbalance =
+          Math.max(imbalance, Math.abs(sections[domain.layers() + n] - mean) / Math.abs(mean));
+    }
+    permeability =
+        Darcy.permeability(
+            VISCOSITY,
+            mean / domain.crossSection(),
+            force,
+            domain.length(),
+            domain.layers(),
+            domain.slabPermeability());
+    error.add(
+        permeability,
+        0, // see the class comment
+        RelaxationChoice.momentumLeft(
+            domain.hydraulicDiameter(), VISCOSITY * limits.allowed(), steps()));
+    listener.progressed(
+        new FlowListener.Progress(
+            steps(),
+            options.maxSteps(),
+            permeability,
+            error.estimate(),
+            options.tolerance(),
+            corrections,
+            pressureNanos * 1e-9,
+            seconds(),
+            layout.nodes().length * (double) steps() / seconds() * 1e-6));
+  }
+
+  private FlowField field() {
+    double drive = VISCOSITY * section() / domain.crossSection() / permeability;
+    return FlowField.of(
+        domain,
+        VISCOSITY,
+        force,
+        drive,
+        visitor ->
+            scheme.forEachParticle(
+                (id, phase, x, y, z, u, v, w, n, p) -> {
+                  if (phase == ParticleLayout.FLUID) {
+                    int node = layout.nodes()[id];
+                    visitor.visit(
+                        layout.coordinate(node, Axis.X),
+                        layout.coordinate(node, Axis.Y),
+                        layout.coordinate(node, Axis.Z),
+                        pressure[node] + p,
+                        u,
+                        v,
+                        w);
+                  }
+                }));
+  }
+
+  private long steps() {
+    return loop.tick().step();
+  }
+
+  private double seconds() {
+    return warmUpSeconds + loop.stats().nanos() * 1e-9;
+  }
+}
