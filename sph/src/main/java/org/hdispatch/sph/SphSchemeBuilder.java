@@ -181,9 +181,11 @@ public final class SphSchemeBuilder {
   /**
    * The scheme.
    *
-   * @throws IllegalArgumentException if there is no phase, a phase has no particles, a particle is
-   *     of no phase, lies outside the box or in a wall, solids have no walls, or pairwise forces
-   *     are not those of the phases or too strong for the time step
+   * @throws IllegalArgumentException if the support is too small for the particles or too large for
+   *     the box, the time step is above its limits, the body force drives the flow faster than a
+   *     tenth of the speed of sound, there is no phase, a phase has no particles, a particle is of
+   *     no phase, lies outside the box or in a wall, solids have no walls, or pairwise forces are
+   *     not those of the phases or too strong for the time step
    * @throws IllegalStateException if the time step is not set, or this JVM lacks the form of sums
    */
   public SphScheme build(Particles particles) {
@@ -198,6 +200,12 @@ public final class SphSchemeBuilder {
     if (phases.isEmpty()) {
       throw new IllegalArgumentException("there must be a phase: phases=0");
     }
+    double force = Math.sqrt(gx * gx + gy * gy + gz * gz);
+    SetupCheck set = new SetupCheck(box, kernel, phases);
+    set.spacing();
+    set.box(mode == SearchMode.VERLET ? kernel.supportRadius() + skin() : kernel.supportRadius());
+    set.timeStep(timeStep, force);
+    double widest = 0; // distance from a wall
     int[] ofPhase = new int[phases.size()];
     for (int n = 0; n < particles.count(); n++) {
       int phase = particles.phase(n);
@@ -206,7 +214,7 @@ public final class SphSchemeBuilder {
             "phase of a particle must be one of the scheme's: particle=" + n + ", phase=" + phase);
       }
       ofPhase[phase]++;
-      checkPlace(particles, n, phases.get(phase));
+      widest = Math.max(widest, checkPlace(particles, n, phases.get(phase)));
     }
     for (int phase = 0; phase < ofPhase.length; phase++) {
       if (ofPhase[phase] == 0) {
@@ -218,6 +226,7 @@ public final class SphSchemeBuilder {
             "walls must be set where there is a solid: phase=" + phases.get(phase).name());
       }
     }
+    set.machNumber(force, widest);
     if (pairs != null) {
       checkPairs();
     }
@@ -244,7 +253,8 @@ public final class SphSchemeBuilder {
     }
   }
 
-  private void checkPlace(Particles particles, int n, Phase phase) {
+  /** Distance of a fluid particle from the walls, 0 if there are none. */
+  private double checkPlace(Particles particles, int n, Phase phase) {
     double x = particles.x(n);
     double y = particles.y(n);
     double z = particles.z(n);
@@ -258,12 +268,14 @@ public final class SphSchemeBuilder {
       throw new IllegalArgumentException(
           "particle must lie in the box: particle=" + n + ", x=" + x + ", y=" + y + ", z=" + z);
     }
-    if (!phase.solid() && walls != null && !(walls.at(x, y, z) > 0)) {
-      throw new IllegalArgumentException(
-          "fluid particle must not lie in a wall: particle="
-              + n
-              + ", distance="
-              + walls.at(x, y, z));
+    if (phase.solid() || walls == null) {
+      return 0;
     }
+    double distance = walls.at(x, y, z);
+    if (!(distance > 0)) {
+      throw new IllegalArgumentException(
+          "fluid particle must not lie in a wall: particle=" + n + ", distance=" + distance);
+    }
+    return distance;
   }
 }

@@ -1,0 +1,96 @@
+package org.hdispatch.sph;
+
+import java.util.List;
+import org.hdispatch.cell.Ends;
+
+/** Refuses numbers that cannot give the flow wanted, whatever the particles do. */
+final class SetupCheck {
+  private static final double LEAST_SUPPORT = 1.98; // spacings, and what n0 is not 1/dx^D by
+  private static final double MACH = 0.1;
+  private static final double ROUND_OFF = 1 + 1e-9;
+
+  private final ParticleBox box;
+  private final SmoothingKernel kernel;
+  private final List<Phase> phases;
+
+  SetupCheck(ParticleBox box, SmoothingKernel kernel, List<Phase> phases) {
+    this.box = box;
+    this.kernel = kernel;
+    this.phases = phases;
+  }
+
+  /** Neighbours enough to sum over: the particles' own spacing is (m/rho0)^(1/D). */
+  void spacing() {
+    for (Phase phase : phases) {
+      double volume = phase.mass() / phase.state().restDensity();
+      double spacing = Math.pow(volume, 1.0 / box.dimensions());
+      if (kernel.supportRadius() < LEAST_SUPPORT * spacing) {
+        throw new IllegalArgumentException(
+            "support radius must be at least 2 spacings of the particles: support="
+                + kernel.supportRadius()
+                + ", dx="
+                + spacing
+                + " (m/rho0 of "
+                + phase.name()
+                + ")");
+      }
+    }
+  }
+
+  /** No particle sees the same image of another twice. */
+  void box(double reach) {
+    box("lx", box.x(), box.lx(), reach);
+    box("ly", box.y(), box.ly(), reach);
+    if (box.dimensions() == 3) {
+      box("lz", box.z(), box.lz(), reach);
+    }
+  }
+
+  private static void box(String name, Ends ends, double length, double reach) {
+    if (ends == Ends.PERIODIC && length * ROUND_OFF < reach) {
+      throw new IllegalArgumentException(
+          "periodic box must be at least as long as the support radius and the skin: "
+              + name
+              + "="
+              + length
+              + ", reach="
+              + reach);
+    }
+  }
+
+  /** The step's limits that hold without pairwise forces. */
+  void timeStep(double timeStep, double force) {
+    TimeStep limits = TimeStep.of(kernel, phases, force);
+    if (timeStep > limits.allowed() * ROUND_OFF) {
+      throw new IllegalArgumentException(
+          "time step must be within its limits (Morris et al. 1997): dt="
+              + timeStep
+              + ", allowed="
+              + limits.allowed()
+              + " by "
+              + limits.rules());
+    }
+  }
+
+  /**
+   * Flow slower than sound by far: its mean velocity in a tube as wide as the widest place, F
+   * d^2/(8 nu), d being the greatest distance from a wall, which hardly any pore exceeds.
+   */
+  void machNumber(double force, double widest) {
+    for (Phase phase : phases) {
+      double c = phase.state().soundSpeed();
+      double velocity = force * widest * widest / (8 * phase.kinematicViscosity());
+      if (!phase.solid() && velocity > MACH * c) {
+        throw new IllegalArgumentException(
+            "body force must not drive the flow faster than 0.1 c: velocity="
+                + velocity
+                + ", c="
+                + c
+                + ", distance from walls="
+                + widest
+                + ", phase="
+                + phase.name());
+      }
+    }
+  }
+}

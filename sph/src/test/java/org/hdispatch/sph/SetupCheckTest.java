@@ -1,0 +1,121 @@
+package org.hdispatch.sph;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
+import static org.junit.jupiter.api.Assertions.assertThrows;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import org.hdispatch.dispatch.Dispatcher;
+import org.hdispatch.dispatch.KernelException;
+import org.hdispatch.dispatch.TimeLoop;
+import org.hdispatch.sph.cases.Poiseuille;
+import org.junit.jupiter.api.Test;
+
+/** Bad set-ups are refused, in one line that names the numbers. */
+class SetupCheckTest {
+  private static final Poiseuille FLOW = new Poiseuille(6, 0);
+  private static final double DX = Poiseuille.GAP / 6;
+
+  private static void refused(SphSchemeBuilder settings, Particles particles, String... texts) {
+    String message =
+        assertThrows(IllegalArgumentException.class, () -> settings.build(particles)).getMessage();
+    assertFalse(message.contains("\n"), message);
+    for (String text : texts) {
+      assertTrue(message.contains(text), message);
+    }
+  }
+
+  private static Phase water(double mass) {
+    return Phase.fluid("water", mass, 1e-3, EquationOfState.linear(1000, 2.5e-4, 0));
+  }
+
+  private static SphSchemeBuilder fluidOnly(double h, double mass, double dt) {
+    return SphScheme.builder(FLOW.lattice().box(), new QuinticSpline(h, 2))
+        .phase(water(mass))
+        .timeStep(dt);
+  }
+
+  private static Particles one() {
+    return new Particles().add(0, DX, DX, 0);
+  }
+
+  @Test
+  void supportMustHoldNeighbours() {
+    refused(
+        fluidOnly(0.5 * DX, 1000 * DX * DX, 1e-6), one(), "at least 2 spacings", "dx=", "water");
+  }
+
+  @Test
+  void periodicBoxMustHoldTheSupport() {
+    refused(fluidOnly(4 * DX, 1000 * DX * DX, 1e-6), one(), "periodic box", "lx=", "reach=");
+  }
+
+  @Test
+  void timeStepMustBeWithinItsLimits() {
+    double allowed = 0.125 * DX * DX / Poiseuille.VISCOSITY;
+    refused(FLOW.settings().timeStep(1.01 * allowed), FLOW.particles(), "dt=", "by viscosity");
+    FLOW.settings().timeStep(allowed).build(FLOW.particles());
+  }
+
+  @Test
+  void bodyForceMustLeaveTheFlowSlowerThanSound() {
+    refused(
+        FLOW.settings().bodyForce(0.02, 0, 0).timeStep(1e-4),
+        FLOW.particles(),
+        "faster than 0.1 c",
+        "c=2.5E-4",
+        "phase=fluid");
+  }
+
+  @Test
+  void wallFactorMustBeOneAtLeast() {
+    refused(FLOW.settings().wallFactor(0.9), FLOW.particles(), "wall factor", "beta_max=0.9");
+  }
+
+  @Test
+  void fluidMustNotLieInWalls() {
+    refused(FLOW.settings(), new Particles().add(0, DX, DX, 0), "in a wall", "particle=0");
+  }
+
+  @Test
+  void everyPhaseMustHaveParticles() {
+    Particles fluid = new Particles().add(0, DX, FLOW.lowerWall() + DX, 0);
+    refused(FLOW.settings(), fluid, "phase must have particles", "wall of fluid");
+  }
+
+  @Test
+  void cellsMustHoldTheSupport() {
+    refused(FLOW.settings().cellEdge(DX), FLOW.particles(), "cell edge", "support=", "skin=");
+  }
+
+  /** A force that nobody foresaw: the step, the cell and the particle are named. */
+  @Test
+  void blowUpNamesStepCellAndParticle() {
+    SphScheme scheme = FLOW.scheme();
+    try (Dispatcher dispatcher = Dispatcher.withWorkers(2)) {
+      TimeLoop loop = dispatcher.loop(scheme);
+      loop.run(3);
+      scheme.drive(1e9, 0, 0);
+      KernelException thrown = assertThrows(KernelException.class, () -> loop.run(1));
+      assertEquals(3, loop.tick().step());
+      assertTrue(thrown.getMessage().contains("pass 'force' failed at cell ("));
+      assertTrue(thrown.getMessage().contains("step 3"), thrown.getMessage());
+      String cause = thrown.getCause().getMessage();
+      assertTrue(cause.contains("must not move farther than a cell in a step"), cause);
+      assertTrue(cause.contains("particle="), cause);
+    }
+  }
+
+  /** A fluid without a wall before the end of the box. */
+  @Test
+  void leavingTheBoxNamesTheParticle() {
+    Particles fluid = new Particles().add(0, DX, DX / 1000, 0, 0, -1e-4, 0);
+    SphScheme scheme = fluidOnly(DX, 1000 * DX * DX, 3e-3).build(fluid);
+    try (Dispatcher dispatcher = Dispatcher.withWorkers(1)) {
+      TimeLoop loop = dispatcher.loop(scheme);
+      KernelException thrown = assertThrows(KernelException.class, () -> loop.run(5));
+      String cause = thrown.getCause().getMessage();
+      assertTrue(cause.contains("must stay in the box") && cause.contains("particle=0"), cause);
+    }
+  }
+}
