@@ -33,6 +33,28 @@ public final class PairProfile {
   }
 
   /**
+   * Forces of two Gaussian potentials, in the manner of Tartakovsky, Panchenko (2016):
+   *
+   * <pre>
+   * f = q (1 - q^2)^2 [ A exp(-q^2/(2 a^2)) - exp(-q^2/(2 b^2)) ],   a = 1/5, b = 1/3
+   * </pre>
+   *
+   * <p>with A such that it changes sign at 0.4. It vanishes at q = 0, where the cosine has a cusp,
+   * so that particles are less inclined to stay on a lattice: drops yield to weaker forces.
+   */
+  public static PairProfile gaussians() {
+    double near = 12.5; // 1/(2 a^2)
+    double far = 4.5; // 1/(2 b^2)
+    double factor = Math.exp(0.4 * 0.4 * (near - far));
+    return of(
+        "gaussians",
+        q -> {
+          double end = (1 - q * q) * (1 - q * q);
+          return q * end * (factor * Math.exp(-near * q * q) - Math.exp(-far * q * q));
+        });
+  }
+
+  /**
    * A profile of one's own.
    *
    * @param name in texts
