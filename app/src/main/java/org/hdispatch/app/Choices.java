@@ -55,6 +55,13 @@ abstract class Choices implements Iterable<String> {
     }
   }
 
+  /** Words for methods. */
+  static final class OfMethod extends Choices {
+    OfMethod() {
+      super(Method.values());
+    }
+  }
+
   /** Words for sides. */
   static final class OfSides extends Choices {
     OfSides() {

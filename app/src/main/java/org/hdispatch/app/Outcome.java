@@ -10,6 +10,7 @@ import org.hdispatch.porous.flow.SteadyFlow;
 /**
  * A computed permeability and all that belongs to it.
  *
+ * @param method by which it was computed
  * @param rock the rock
  * @param fluid fluid and drive
  * @param flow the flow, in voxel units
@@ -17,6 +18,7 @@ import org.hdispatch.porous.flow.SteadyFlow;
  * @param collector what the collector did; empty if that could not be read
  */
 record Outcome(
+    Method method,
     Rock rock,
     PhysicalFlow fluid,
     SteadyFlow flow,

@@ -1,5 +1,6 @@
 package org.hdispatch.app;
 
+import java.util.Optional;
 import org.hdispatch.porous.flow.FlowOptions;
 import org.hdispatch.porous.flow.SteadyFlow;
 import org.hdispatch.porous.pore.PoreSpace;
@@ -40,10 +41,11 @@ final class OutcomeRow {
 
   private static void settings(FlatRow row, Outcome outcome) {
     FlowOptions options = outcome.options();
+    boolean lattice = outcome.method() == Method.LBM;
     row.put("threads", outcome.threads())
-        .put("method", "lbm")
-        .put("lattice", options.velocitySet().name())
-        .put("collision", Choices.word(options.collision()))
+        .put("method", Choices.word(outcome.method()))
+        .put("lattice", lattice ? options.velocitySet().name() : null)
+        .put("collision", lattice ? Choices.word(options.collision()) : null)
         .put("axis", Choices.word(options.axis()))
         .put("voxel_edge_m", outcome.rock().voxelEdge())
         .put("sides", Choices.word(options.sides()))
@@ -71,8 +73,19 @@ final class OutcomeRow {
         .put("hydraulic_diameter_voxel", flow.chosen().hydraulicDiameter())
         .put("spanning_clusters", flow.percolation().spanningClusters())
         .put("isolated_pore_voxels", flow.percolation().isolatedPoreVoxels())
-        .put("walls", Choices.word(outcome.walls()))
+        .put("walls", outcome.method() == Method.LBM ? Choices.word(outcome.walls()) : null)
         .put("version", Version.ofProject())
         .put("java", Version.ofJava());
+    Optional<SteadyFlow.ParticleFigures> particles = flow.particles();
+    row.put("particles", particles.map(SteadyFlow.ParticleFigures::count).orElse(null))
+        .put(
+            "smoothing_length_voxel",
+            particles.map(SteadyFlow.ParticleFigures::smoothingLength).orElse(null))
+        .put(
+            "density_least",
+            particles.map(SteadyFlow.ParticleFigures::leastCompression).orElse(null))
+        .put(
+            "density_greatest",
+            particles.map(SteadyFlow.ParticleFigures::mostCompression).orElse(null));
   }
 }

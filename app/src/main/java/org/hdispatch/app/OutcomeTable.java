@@ -114,35 +114,67 @@ final class OutcomeTable {
 
   private static void computation(Table table, Outcome outcome) {
     SteadyFlow flow = outcome.flow();
-    FlowOptions options = outcome.options();
-    String method =
-        "lattice Boltzmann, "
-            + options.velocitySet()
-            + ", "
-            + options.collision()
-            + ", linear equilibrium, walls "
-            + Choices.word(outcome.walls());
-    table.line("method", method);
+    table.line("method", outcome.method() == Method.LBM ? lattice(outcome) : particles(outcome));
     if (!outcome.percolates()) {
       return;
     }
-    table
-        .line(
-            "tau",
-            Numbers.significant(flow.chosen().relaxationTime(), DIGITS)
-                + (options.relaxationTime().isPresent() ? " (given)" : " (chosen)")
-                + ", highest Mach number "
-                + Numbers.significant(flow.mach(), FEW))
-        .line(
-            "steps",
-            String.format(
-                Locale.ROOT,
-                "%d in %.2f s, %.1f MFLUPS, %d fluid nodes",
-                flow.work().steps(),
-                flow.work().secondsStepping(),
-                flow.work().mflups(),
-                flow.work().fluidNodes()));
+    if (flow.particles().isPresent()) {
+      timeStep(table, flow.particles().get(), flow.mach());
+    } else {
+      table.line(
+          "tau",
+          Numbers.significant(flow.chosen().relaxationTime(), DIGITS)
+              + (outcome.options().relaxationTime().isPresent() ? " (given)" : " (chosen)")
+              + ", highest Mach number "
+              + Numbers.significant(flow.mach(), FEW));
+    }
+    table.line(
+        "steps",
+        String.format(
+            Locale.ROOT,
+            "%d in %.2f s, %.1f %s, %d fluid %s",
+            flow.work().steps(),
+            flow.work().secondsStepping(),
+            flow.work().mflups(),
+            outcome.method() == Method.LBM ? "MFLUPS" : "MPUPS (fluid)",
+            flow.work().fluidNodes(),
+            outcome.method() == Method.LBM ? "nodes" : "particles"));
     flow.corrections().ifPresent(corrections -> table.line("pressure", text(corrections)));
+  }
+
+  private static String lattice(Outcome outcome) {
+    FlowOptions options = outcome.options();
+    return "lattice Boltzmann, "
+        + options.velocitySet()
+        + ", "
+        + options.collision()
+        + ", linear equilibrium, walls "
+        + Choices.word(outcome.walls());
+  }
+
+  private static String particles(Outcome outcome) {
+    return "smoothed particle hydrodynamics, quintic spline"
+        + outcome
+            .flow()
+            .particles()
+            .map(figures -> ", h " + figures.smoothingLength() + " voxel, " + figures.count())
+            .map(text -> text + " particles, walls included")
+            .orElse("");
+  }
+
+  private static void timeStep(Table table, SteadyFlow.ParticleFigures particles, double mach) {
+    table.line(
+        "time step",
+        Numbers.significant(particles.timeStep(), FEW)
+            + " voxel2/nu, limited by "
+            + particles.limit()
+            + ", highest Mach number "
+            + Numbers.significant(mach, FEW)
+            + String.format(
+                Locale.ROOT,
+                ", density %.4f to %.4f of that at rest",
+                particles.leastCompression(),
+                particles.mostCompression()));
   }
 
   private static String text(SteadyFlow.Corrections corrections) {

@@ -15,6 +15,7 @@ import org.hdispatch.porous.flow.FlowOptions;
 import org.hdispatch.porous.flow.Inlet;
 import org.hdispatch.porous.flow.LbmFlow;
 import org.hdispatch.porous.flow.Sides;
+import org.hdispatch.porous.flow.SphFlow;
 import org.hdispatch.porous.flow.SteadyFlow;
 import org.hdispatch.porous.io.ImageFileException;
 import org.hdispatch.porous.pore.PoreSpace;
@@ -39,6 +40,7 @@ final class PermeabilityCommand implements Callable<Integer> {
 
   @Mixin private final ImageOptions imageOptions = new ImageOptions();
   @Mixin private final SphereOptions spheres = new SphereOptions();
+  @Mixin private final MethodOptions methodOptions = new MethodOptions();
   @Mixin private final FlowSettings settings = new FlowSettings();
   @Mixin private final FluidOptions fluidOptions = new FluidOptions();
   @Mixin private final ThreadOptions threadOptions = new ThreadOptions();
@@ -56,10 +58,13 @@ final class PermeabilityCommand implements Callable<Integer> {
     FlowOptions options = flowOptions();
     PhysicalFlow fluid = fluidOptions.fluid();
     threadOptions.threads();
-    Rock rock =
+    methodOptions.particles();
+    int finer = methodOptions.refine();
+    Rock whole =
         spheres.packing().isPresent()
             ? Rock.of(spheres, imageOptions, settings.walls(), host)
             : Rock.of(ImageSource.of(imageOptions), imageOptions, settings, host);
+    Rock rock = whole.refined(finer, host);
     requireHeap(rock, options);
     if (output.folder().isEmpty()) {
       return report(compute(rock, options, fluid), Optional.empty());
@@ -78,12 +83,20 @@ final class PermeabilityCommand implements Callable<Integer> {
         listeners.add(progress);
       }
       FlowListener all = new Listeners(listeners);
-      SteadyFlow flow =
-          rock.solid().isPresent()
-              ? LbmFlow.solve(dispatcher, rock.solid().get(), options, all)
-              : LbmFlow.solve(dispatcher, rock.space(), options, all);
-      return new Outcome(rock, fluid, flow, threadOptions.threads(), figures(collector));
+      SteadyFlow flow = solve(dispatcher, rock, options, all);
+      return new Outcome(
+          methodOptions.method(), rock, fluid, flow, threadOptions.threads(), figures(collector));
     }
+  }
+
+  private SteadyFlow solve(
+      Dispatcher dispatcher, Rock rock, FlowOptions options, FlowListener listener) {
+    if (methodOptions.method() == Method.SPH) {
+      return SphFlow.solve(dispatcher, rock.space(), options, methodOptions.particles(), listener);
+    }
+    return rock.solid().isPresent()
+        ? LbmFlow.solve(dispatcher, rock.solid().get(), options, listener)
+        : LbmFlow.solve(dispatcher, rock.space(), options, listener);
   }
 
   private Optional<CollectorWatch.Figures> figures(CollectorWatch collector) {
@@ -158,6 +171,9 @@ final class PermeabilityCommand implements Callable<Integer> {
 
   private FlowOptions flowOptions() {
     FlowOptions options = settings.options();
+    if (methodOptions.method() == Method.SPH && !given().hasMatchedOption("--tolerance")) {
+      options = options.withTolerance(MethodOptions.SPH_TOLERANCE);
+    }
     if (settings.walls() == Walls.IMB) {
       if (!given().hasMatchedOption("--lattice")) {
         options = options.withVelocitySet(FlowOptions.IMMERSED.velocitySet());
@@ -176,15 +192,22 @@ final class PermeabilityCommand implements Callable<Integer> {
     long flow = // refused: rock without any wall
         UsageException.orRefused(
             () ->
-                rock.solid().isPresent()
-                    ? LbmFlow.estimatedBytes(rock.solid().get(), options)
-                    : LbmFlow.estimatedBytes(space, options));
+                methodOptions.method() == Method.SPH
+                    ? SphFlow.estimatedBytes(space, options)
+                    : rock.solid().isPresent()
+                        ? LbmFlow.estimatedBytes(rock.solid().get(), options)
+                        : LbmFlow.estimatedBytes(space, options));
     double bytes = flow + (double) space.voxels() * Rock.BYTES_PER_VOXEL;
     host.requireHeap("the flow of " + space.poreVoxels() + " pore voxels", bytes);
   }
 
   private void checkCombinations() {
     output.folder();
+    if (methodOptions.method() == Method.SPH) {
+      MethodOptions.LBM_NAMES.forEach(name -> refuse(name, "--method lbm"));
+    } else {
+      MethodOptions.SPH_NAMES.forEach(name -> refuse(name, "--method sph"));
+    }
     if (settings.walls() != Walls.IMB) {
       refuse("--solid-fraction-range", "--walls imb");
     }

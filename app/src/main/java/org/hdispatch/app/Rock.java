@@ -123,6 +123,37 @@ record Rock(
     return new Rock(name, space, spheres.solid(walls), edge, origin, List.of());
   }
 
+  /**
+   * The same rock in finer voxels.
+   *
+   * @param n voxels along an edge of one
+   * @throws UsageException if its walls are immersed
+   */
+  Rock refined(int n, Host host) {
+    if (n == 1) {
+      return this;
+    }
+    if (solid.isPresent()) {
+      throw new UsageException("--refine must come with voxels that are solid or not: walls=imb");
+    }
+    host.requireHeap(
+        "a rock of " + space.voxels() + " voxels, each cut into " + n * n * n,
+        BYTES_PER_VOXEL * (double) space.voxels() * n * n * n);
+    PoreSpace fine =
+        UsageException.orRefused(
+            () ->
+                PoreSpace.of(
+                    Math.multiplyExact(n, space.nx()),
+                    Math.multiplyExact(n, space.ny()),
+                    Math.multiplyExact(n, space.nz()),
+                    (x, y, z) -> space.isPore(x / n, y / n, z / n)));
+    OptionalDouble edge =
+        voxelEdge.isPresent() ? OptionalDouble.of(voxelEdge.getAsDouble() / n) : voxelEdge;
+    Map<String, Object> more = new LinkedHashMap<>(origin);
+    more.put("refine", n);
+    return new Rock(name, fine, solid, edge, more, citation);
+  }
+
   /** The box to take, checked to lie inside. */
   static VoxelBox boxOf(ImageSource source, Optional<VoxelBox> given) {
     VoxelBox whole = source.whole();

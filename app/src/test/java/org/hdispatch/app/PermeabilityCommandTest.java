@@ -367,4 +367,27 @@ class PermeabilityCommandTest {
       return new TreeSet<>(files.map(file -> file.getFileName().toString()).toList());
     }
   }
+
+  @Test
+  void particlesGiveTheSameRow() {
+    String[] args = {"permeability", "--json", "--method=sph", SMALL, "--max-steps=40"};
+    Cli run = Cli.run((Object[]) args);
+    assertEquals(4, run.code(), run.err()); // 40 steps do not suffice
+    Map<String, String> json = run.members();
+    assertEquals(KEYS, json.keySet().stream().limit(KEYS.size()).toList());
+    assertEquals("\"sph\"", json.get("method"));
+    assertEquals("null", json.get("lattice"));
+    assertTrue(number(json, "particles") > number(json, "fluid_nodes"));
+    assertTrue(number(json, "permeability_voxel2") > 0);
+    Cli table = Cli.run("permeability", "--method=sph", SMALL, "--max-steps=40");
+    assertTrue(table.out().contains("smoothed particle hydrodynamics"), table.out());
+  }
+
+  @Test
+  void finerVoxelsAreTheSameRock() {
+    Map<String, String> json =
+        Cli.json("permeability", "--json", "--refine=2", "--box=32,32,32,12,12,12");
+    assertEquals(24, number(json, "nx"));
+    assertEquals(5.345e-6 / 2, number(json, "voxel_edge_m"), 1e-12);
+  }
 }

@@ -8,8 +8,8 @@ package org.hdispatch.porous.flow;
  * @param wallFactor beta_max of the velocity in walls
  */
 public record SphOptions(double smoothingLength, double wallFactor) {
-  /** h = 1 voxel and beta_max = 3. */
-  public static final SphOptions DEFAULT = new SphOptions(1, 3);
+  /** h = 1 voxel and beta_max = 4. */
+  public static final SphOptions DEFAULT = new SphOptions(1, 4);
 
   /**
    * Checks the smoothing length.

@@ -1,0 +1,97 @@
+package org.hdispatch.porous.flow;
+
+import static org.junit.jupiter.api.Assertions.assertArrayEquals;
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
+import static org.junit.jupiter.api.Assertions.assertThrows;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import org.hdispatch.dispatch.Dispatcher;
+import org.hdispatch.porous.image.Axis;
+import org.hdispatch.porous.pore.PoreSpace;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.EnumSource;
+
+class SphFlowTest {
+  private static final FlowOptions COARSE = FlowOptions.DEFAULT.withTolerance(1e-2);
+
+  /** A bent pore of 6 x 6 voxels, wider in its middle; along z. */
+  private static final PoreSpace BENT =
+      PoreSpace.of(
+          12,
+          10,
+          14,
+          (x, y, z) -> {
+            int left = z < 6 ? 2 : 4;
+            int width = z >= 5 && z <= 8 ? 8 : 6;
+            return x >= left && x < Math.min(12, left + width) && y >= 2 && y < 8;
+          });
+
+  private static SteadyFlow solve(PoreSpace space, FlowOptions options, int workers) {
+    try (Dispatcher dispatcher = Dispatcher.withWorkers(workers)) {
+      return SphFlow.solve(dispatcher, space, options, SphOptions.DEFAULT, FlowListener.NONE);
+    }
+  }
+
+  @Test
+  void whatDoesNotSpanHasPermeabilityZero() {
+    PoreSpace twoChambers = PoreSpace.of(6, 6, 9, (x, y, z) -> z != 4);
+    SteadyFlow flow = solve(twoChambers, COARSE, 2);
+    assertEquals(0, flow.permeability());
+    assertFalse(flow.percolation().percolates());
+    assertTrue(flow.particles().isEmpty());
+  }
+
+  @ParameterizedTest
+  @EnumSource(Axis.class)
+  void openBoxWithWallsIsADuct(Axis axis) {
+    PoreSpace open = PoreSpace.of(12, 12, 12, (x, y, z) -> true);
+    SteadyFlow flow = solve(open, COARSE.withAxis(axis).withInletLayers(2), 2);
+    assertTrue(flow.converged());
+    // Series 0.0351442537 W²; the error of 12 particles across is some percent.
+    assertEquals(1, flow.permeability() / (0.0351442537 * 12 * 12), 0.06);
+    assertEquals(0, flow.fluxImbalance(), 1e-3);
+  }
+
+  @Test
+  void bentPoreIsThatOfTheLatticeBoltzmannMethod() {
+    SteadyFlow flow = solve(BENT, COARSE, 2);
+    try (Dispatcher dispatcher = Dispatcher.withWorkers(2)) {
+      SteadyFlow lattice = LbmFlow.solve(dispatcher, BENT, COARSE, FlowListener.NONE);
+      assertTrue(flow.converged());
+      // Six voxels across, two methods that both err by percents there.
+      assertEquals(1, flow.permeability() / lattice.permeability(), 0.15);
+    }
+    FlowField field = flow.field().orElseThrow();
+    double sum = 0;
+    for (float along : field.velocity(Axis.Z)) {
+      sum += along;
+    }
+    // The mean of the field along the flow is k; particles stand for the volume of a voxel.
+    assertEquals(flow.permeability(), sum / BENT.voxels(), 1e-6 * flow.permeability());
+  }
+
+  @Test
+  void sameBitsForAnyWorkerCount() {
+    SteadyFlow one = solve(BENT, COARSE.withMaxSteps(60), 1);
+    SteadyFlow three = solve(BENT, COARSE.withMaxSteps(60), 3);
+    assertEquals(one.permeability(), three.permeability());
+    for (Axis axis : Axis.values()) {
+      assertArrayEquals(
+          one.field().orElseThrow().velocity(axis), three.field().orElseThrow().velocity(axis));
+    }
+  }
+
+  @Test
+  void refusesFacesThatParticlesDoNotHave() {
+    IllegalArgumentException mirror =
+        assertThrows(
+            IllegalArgumentException.class,
+            () -> solve(BENT, COARSE.withBoundaries(Sides.MIRROR, Inlet.SLAB), 1));
+    assertTrue(mirror.getMessage().contains("sides=MIRROR"), mirror.getMessage());
+    assertThrows(
+        IllegalArgumentException.class,
+        () -> solve(BENT, COARSE.withBoundaries(Sides.WALL, Inlet.PRESSURE), 1));
+  }
+}
