@@ -51,6 +51,7 @@ class ArrayValidationTest {
 
   /** Ten times k/nu, in which what is left of the beginning has died away. */
   @Test
+  @Tag("validation")
   void slowFlowPastCylindersIsRightToThreePercent() {
     CylinderArray flow = CylinderArray.morrisAtRe003(30);
     assertEquals(1, velocity(flow, 33) / flow.superficialVelocity(), 0.03); // found: 1.022
