@@ -16,7 +16,14 @@ final class ColourMap {
     0x440154, 0x472d7b, 0x3b528b, 0x2c728e, 0x21918c, 0x28ae80, 0x5ec962, 0xaddc30, 0xfde725
   };
 
+  private static final int[] PHASES = {PORE, ISOLATED, 0x2a9d5c, 0xb0357a};
+
   private ColourMap() {}
+
+  /** The colour of a phase of several, by its number; four differ. */
+  static int phase(int number) {
+    return PHASES[number % PHASES.length];
+  }
 
   /** The colour of a value from 0 (dark) to 1 (bright). */
   static int viridis(double value) {

@@ -26,7 +26,11 @@ final class Picture {
    * @param colour colour (0xRRGGBB) of a voxel by its flat place
    */
   static void write(Path file, Plane plane, IntUnaryOperator colour) throws ImageFileException {
-    BufferedImage image = draw(plane, colour);
+    write(file, draw(plane, colour));
+  }
+
+  /** Writes an image as PNG; it is whole or not there. */
+  static void write(Path file, BufferedImage image) throws ImageFileException {
     WholeFiles.write(
         file,
         channel -> {

@@ -17,6 +17,13 @@ final class SphCommand {
 
   /** The command with all its cases. */
   static CommandLine commandLine(Host host) {
-    return new CommandLine(new SphCommand()).addSubcommand(new SphPeriodicCommand(host));
+    CommandLine sph = new CommandLine(new SphCommand());
+    sph.addSubcommand(new SphPeriodicCommand(host));
+    for (ReadyCase each : ReadyCase.values()) {
+      CommandLine line = new CommandLine(new SphCaseCommand(host, each));
+      line.getCommandSpec().usageMessage().description(each.what());
+      sph.addSubcommand(Choices.word(each), line);
+    }
+    return sph;
   }
 }

@@ -2,12 +2,10 @@ package org.hdispatch.app;
 
 import java.util.Optional;
 import java.util.concurrent.Callable;
-import org.hdispatch.dispatch.Dispatcher;
 import org.hdispatch.porous.io.ImageFileException;
 import org.hdispatch.sph.SphScheme;
 import org.hdispatch.sph.SphSchemeBuilder;
 import org.hdispatch.sph.cases.PeriodicShear;
-import org.hdispatch.sph.cases.SphFigures;
 import org.hdispatch.sph.cases.SphRun;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
@@ -87,27 +85,24 @@ final class SphPeriodicCommand implements Callable<Integer> {
   private void measure(
       PeriodicShear shear, SphSchemeBuilder settings, SphRun run, Optional<OutputFolder> folder)
       throws ImageFileException {
+    SphHeap.require(host, options.search(), 3, shear.count(), shear.support());
     SphScheme scheme = options.scheme(settings, 1, shear.particles());
     CommandConsole console = new CommandConsole(spec, host, output);
-    try (CollectorWatch collector = new CollectorWatch();
-        StatusLine status = new StatusLine(console.err())) {
-      RunListener listener =
-          new RunListener(collector, console.isWatched() ? status : null, "periodic");
-      SphFigures figures;
-      try (Dispatcher dispatcher = Dispatcher.withWorkers(threadOptions.threads())) {
-        figures = run.measure(dispatcher, scheme, listener);
-      }
-      var stepped =
-          new CollectorReport(console.figures(collector), figures.stats(), figures.warmUpSteps());
-      SphReport report = new SphReport(figures, scheme, options, 1, stepped);
-      FlatRow row = report.row();
-      String name =
-          String.format(
-              "shear flow in a periodic box, %d particles (%d^3)", shear.count(), shear.edge());
-      console.print(output.form(row, report.text(name)));
-      if (folder.isPresent()) {
-        folder.get().write("sph.json", row.toJson());
-      }
+    SphStepper stepper = new SphStepper(console, options, threadOptions.threads());
+    SphReport report = stepper.run("periodic", scheme, 1, run);
+    FlatRow row = report.row();
+    Table table =
+        new Table()
+            .line(
+                "case",
+                String.format(
+                    "shear flow in a periodic box, %d particles (%d^3)",
+                    shear.count(), shear.edge()));
+    report.putInto(table);
+    console.print(output.form(row, table.toString()));
+    if (folder.isPresent()) {
+      new ParticleFiles(scheme, 1).write(folder.get());
+      folder.get().write("sph.json", row.toJson());
     }
   }
 

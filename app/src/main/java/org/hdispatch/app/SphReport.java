@@ -24,43 +24,34 @@ record SphReport(
 
   /** Speed, work, settings. */
   FlatRow row() {
-    SphTimes seconds = figures.seconds();
-    FlatRow row =
-        new FlatRow()
-            .put("particle_steps_per_s", figures.particleStepsPerSecond())
-            .put("neighbours_mean", figures.neighboursMean())
-            .put("pairs_per_s", figures.pairsPerSecond())
-            .put("bytes_per_particle", figures.bytesPerParticle())
-            .put("bytes_per_step", CollectorReport.bytes(figures.stats()))
-            .put("seconds_search", seconds.search())
-            .put("seconds_density", seconds.density())
-            .put("seconds_force", seconds.force())
-            .put("rebuilds", figures.rebuilds())
-            .put("seconds", figures.wallSeconds())
-            .put("particles", figures.particles())
-            .put("fluid_particles", figures.fluidParticles())
-            .put("cells", figures.cells())
-            .put("threads", figures.threads())
-            .put("search", Choices.word(options.search()))
-            .put("support", scheme.kernel().supportRadius() / spacing)
-            .put("cell_edge", scheme.cellEdge() / spacing)
-            .put("steps", figures.stats().steps())
-            .put("warm_up_steps", figures.warmUpSteps())
-            .put("form", Choices.word(options.form(scheme.kernel())));
-    collector.putInto(row);
-    return Host.describe(row);
+    return putInto(new FlatRow());
   }
 
-  /**
-   * The same as a table.
-   *
-   * @param name what was stepped
-   */
-  String text(String name) {
-    Table table = new Table();
-    table.line("case", name);
-    putInto(table);
-    return table.toString();
+  /** Adds speed, work, settings. */
+  FlatRow putInto(FlatRow row) {
+    SphTimes seconds = figures.seconds();
+    row.put("particle_steps_per_s", figures.particleStepsPerSecond())
+        .put("neighbours_mean", figures.neighboursMean())
+        .put("pairs_per_s", figures.pairsPerSecond())
+        .put("bytes_per_particle", figures.bytesPerParticle())
+        .put("bytes_per_step", CollectorReport.bytes(figures.stats()))
+        .put("seconds_search", seconds.search())
+        .put("seconds_density", seconds.density())
+        .put("seconds_force", seconds.force())
+        .put("rebuilds", figures.rebuilds())
+        .put("seconds", figures.wallSeconds())
+        .put("particles", figures.particles())
+        .put("fluid_particles", figures.fluidParticles())
+        .put("cells", figures.cells())
+        .put("threads", figures.threads())
+        .put("search", Choices.word(options.search()))
+        .put("support", scheme.kernel().supportRadius() / spacing)
+        .put("cell_edge", scheme.cellEdge() / spacing)
+        .put("steps", figures.stats().steps())
+        .put("warm_up_steps", figures.warmUpSteps())
+        .put("form", Choices.word(options.form(scheme.kernel())));
+    collector.putInto(row);
+    return Host.describe(row);
   }
 
   /** Adds the lines on speed and settings. */
