@@ -2,7 +2,10 @@ package org.hdispatch.app;
 
 import java.util.function.IntFunction;
 import org.hdispatch.sph.cases.Couette;
+import org.hdispatch.sph.cases.CylinderArray;
 import org.hdispatch.sph.cases.Poiseuille;
+import org.hdispatch.sph.cases.SimpleCubicSpheres;
+import org.hdispatch.sph.cases.SquareDuct;
 
 /** The flows of {@code hdispatch sph} that are compared with what is known of them. */
 enum ReadyCase {
@@ -31,6 +34,33 @@ enum ReadyCase {
             1,
             Couette.WALL_VELOCITY,
             (y, time) -> Couette.velocity(y - flow.lowerWall(), time));
+      }),
+  DUCT(
+      16,
+      "Creeping flow through a square duct, 3-D. Known: the mean velocity.",
+      "side^2/nu",
+      size -> {
+        SquareDuct flow = new SquareDuct(size, 0);
+        double porosity = flow.lattice().porosity(flow.walls());
+        return new MeanFlow(flow, 0.5, SquareDuct.MEAN * porosity);
+      }),
+  CYLINDERS(
+      32,
+      "Creeping flow through a square array of cylinders, solid fraction 0.3, 2-D. Known: the"
+          + " superficial velocity (Sangani, Acrivos 1982).",
+      "edge^2/nu",
+      size -> {
+        CylinderArray flow = CylinderArray.ofSolidFraction(0.3, size, 0);
+        return new MeanFlow(flow, 0.25, flow.superficialVelocity());
+      }),
+  SPHERES(
+      24,
+      "Creeping flow through a simple-cubic array of spheres, solid fraction 0.216, 3-D. Known:"
+          + " the superficial velocity (Zick, Homsy 1982).",
+      "edge^2/nu",
+      size -> {
+        SimpleCubicSpheres flow = new SimpleCubicSpheres(0.216, size, 0);
+        return new MeanFlow(flow, 0.25, flow.superficialVelocity());
       });
 
   private final int usualSize;
