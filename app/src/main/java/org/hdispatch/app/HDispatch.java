@@ -65,6 +65,7 @@ public final class HDispatch {
     commandLine.addSubcommand(new DuctCommand(host));
     commandLine.addSubcommand(new SettleCommand(host));
     commandLine.addSubcommand(SphCommand.commandLine(host));
+    commandLine.addSubcommand(new SearchStudyCommand(host));
     commandLine.addSubcommand(new SteadyStudyCommand(host));
     commandLine.addSubcommand(new AutoComplete.GenerateCompletion());
     commandLine.setCaseInsensitiveEnumValuesAllowed(true);

@@ -11,7 +11,9 @@ enum PlotInk {
   /** What the plot is about. */
   FIRST("#1f5fa8", "#6cb0f5"),
   /** What it is compared with. */
-  SECOND("#c25a00", "#f5a04c");
+  SECOND("#c25a00", "#f5a04c"),
+  /** What else it is compared with. */
+  THIRD("#23804c", "#62c98c");
 
   private final String light;
   private final String dark;

@@ -66,7 +66,7 @@ final class SphPeriodicCommand implements Callable<Integer> {
   public Integer call() throws ImageFileException {
     output.folder();
     threadOptions.threads();
-    PeriodicShear shear = shear();
+    PeriodicShear shear = shear(particles, support);
     SphRun run =
         UsageException.orRefused(
             () -> new SphRun(warmUp == null ? SphRun.warmUpFor(shear.count()) : warmUp, steps));
@@ -106,7 +106,12 @@ final class SphPeriodicCommand implements Callable<Integer> {
     }
   }
 
-  private PeriodicShear shear() {
+  /**
+   * The box of so many particles.
+   *
+   * @throws UsageException if they are not a cube, or too few
+   */
+  static PeriodicShear shear(int particles, double support) {
     int edge = (int) Math.round(Math.cbrt(particles));
     if (particles < 1 || (long) edge * edge * edge != particles) {
       throw new UsageException("particles must number a cube: particles=" + particles);

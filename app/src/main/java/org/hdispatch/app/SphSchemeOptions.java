@@ -6,6 +6,7 @@ import org.hdispatch.sph.SmoothingKernel;
 import org.hdispatch.sph.SphScheme;
 import org.hdispatch.sph.SphSchemeBuilder;
 import org.hdispatch.sph.SumForm;
+import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Option;
 
 /** How particles find and sum over their neighbours: what changes the speed and not the flow. */
@@ -29,13 +30,7 @@ final class SphSchemeOptions {
               + " support (verlet: and the skin). Default: as short as may be.")
   private Double cellEdge;
 
-  @Option(
-      names = "--form",
-      paramLabel = "FORM",
-      completionCandidates = Choices.OfSums.class,
-      description =
-          "Form of the sums: ${COMPLETION-CANDIDATES}. Default: the fastest that this Java runs.")
-  private SumForm form;
+  @Mixin private final SumFormOption formOption = new SumFormOption();
 
   SearchMode search() {
     return search;
@@ -47,12 +42,7 @@ final class SphSchemeOptions {
    * @throws UsageException if this Java does not run the one that was given
    */
   SumForm form(SmoothingKernel kernel) {
-    SumForm fastest = SumForm.fastest(kernel);
-    if (form == SumForm.VECTOR && fastest != form) {
-      throw new UsageException(
-          "--form vector must have sums for this kernel in this Java: kernel=" + kernel);
-    }
-    return form == null ? fastest : form;
+    return formOption.form(kernel);
   }
 
   /**
