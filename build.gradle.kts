@@ -140,6 +140,7 @@ project(":jmh") {
     dependencies {
         "implementation"(project(":hdispatch-core"))
         "implementation"(project(":lbm"))
+        "implementation"(project(":sph"))
         "runtimeOnly"(project(":lbm-vector"))
         "runtimeOnly"(project(":sph-vector"))
         "implementation"(lib("jmh-core"))

@@ -1,0 +1,2 @@
+/** How many steps do particles make in a second? */
+package org.hdispatch.bench.sph;
