@@ -226,7 +226,7 @@ public final class SphSchemeBuilder {
             "walls must be set where there is a solid: phase=" + phases.get(phase).name());
       }
     }
-    set.machNumber(force, widest);
+    set.machNumber(gx, gy, gz, widest);
     if (pairs != null) {
       checkPairs();
     }
