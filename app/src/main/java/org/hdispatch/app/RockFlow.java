@@ -15,10 +15,9 @@ import org.hdispatch.sph.VoxelWalls;
 import org.hdispatch.sph.WallDistance;
 
 /**
- * A fluid that starts to flow along x through rock: a particle in each voxel of a pore, near its
- * middle, and one in each of the solid that lies within the support of the fluid. The rock is
- * continued by its mirror images as often as wanted, and the whole is periodic. Lengths in voxels,
- * times in steps.
+ * A fluid set in motion along x in rock: a particle in each voxel of a pore, near its middle, and
+ * one in each of the solid that lies within the support of the fluid. The rock is continued by its
+ * mirror images as often as wanted, and the whole is periodic. Lengths in voxels, times in steps.
  */
 final class RockFlow {
   /** Support radius of the quintic spline at h = dx. */
@@ -28,8 +27,8 @@ final class RockFlow {
   private static final double SOUND_SPEED = 0.15;
   private static final double VISCOSITY = 0.01;
 
-  /** Particles come near 0.015, the speed of the periodic case, within some 50 steps. */
-  private static final double FORCE = 3e-4;
+  /** Velocity along x to begin with: that of the fastest in the periodic case. */
+  private static final double VELOCITY = 0.015;
 
   private static final double DISORDER = 0.05;
   private static final int SEED = 20;
@@ -89,9 +88,16 @@ final class RockFlow {
     return repeats;
   }
 
-  /** The particles, at rest. */
+  /** The particles: fluid all of one velocity, which walls and pressure take from it. */
   Particles particles() {
-    return new ParticleLattice(box, 1).fill(walls, SUPPORT, DISORDER, SEED);
+    Particles resting = new ParticleLattice(box, 1).fill(walls, SUPPORT, DISORDER, SEED);
+    Particles particles = new Particles();
+    for (int n = 0; n < resting.count(); n++) {
+      int phase = resting.phase(n);
+      double u = phase == 0 ? VELOCITY : 0;
+      particles.add(phase, resting.x(n), resting.y(n), resting.z(n), u, 0, 0);
+    }
+    return particles;
   }
 
   /** Settings of the scheme. */
@@ -108,7 +114,6 @@ final class RockFlow {
         .phase(Phase.wallOf(fluid))
         .walls(walls)
         .skin(SKIN)
-        .bodyForce(FORCE, 0, 0)
         .timeStep(1);
   }
 }
