@@ -67,7 +67,8 @@ final class ParticleFiles {
       highest = Math.max(highest, values[VALUES * n + 2]);
       fastest = Math.max(fastest, speed(n));
     }
-    double middle = (lowest + highest) / 2;
+    // a layer of the lattice that particles begin on, not the gap between two
+    double middle = lowest + Math.rint((highest - lowest) / 2 / spacing) * spacing;
     double top = fastest > 0 ? fastest : 1;
     boolean several = phases.stream().filter(each -> !each.solid()).count() > 1;
     ParticlePicture picture = new ParticlePicture(spacing);

@@ -39,6 +39,11 @@ record ProfileFlow(FlowCase flow, double duration, double greatest, Exact exact)
 
   @Override
   public List<Finding> findings(SphScheme scheme, double time) {
+    return of(scheme, time, greatest, exact);
+  }
+
+  /** The velocity along x of all fluid beside an exact one. */
+  static List<Finding> of(SphScheme scheme, double time, double greatest, Exact exact) {
     double[] sums = new double[4]; // fluid particles, velocity, exact velocity, squares
     scheme.forEachParticle(
         (id, phase, x, y, z, u, v, w, n, p) -> {

@@ -1,11 +1,17 @@
 package org.hdispatch.app;
 
+import java.util.List;
 import java.util.function.IntFunction;
+import org.hdispatch.app.ReadyFlow.Finding;
+import org.hdispatch.sph.SphScheme;
 import org.hdispatch.sph.cases.Couette;
 import org.hdispatch.sph.cases.CylinderArray;
+import org.hdispatch.sph.cases.DropOnWall;
+import org.hdispatch.sph.cases.LayeredPoiseuille;
 import org.hdispatch.sph.cases.Poiseuille;
 import org.hdispatch.sph.cases.SimpleCubicSpheres;
 import org.hdispatch.sph.cases.SquareDuct;
+import org.hdispatch.sph.cases.TwoPhaseDrop;
 
 /** The flows of {@code hdispatch sph} that are compared with what is known of them. */
 enum ReadyCase {
@@ -61,7 +67,65 @@ enum ReadyCase {
       size -> {
         SimpleCubicSpheres flow = new SimpleCubicSpheres(0.216, size, 0);
         return new MeanFlow(flow, 0.25, flow.superficialVelocity());
+      }),
+  LAYERS(
+      10,
+      "Two layers of fluid between plane walls, the upper one twice as dense and four times as"
+          + " viscous, 2-D; the size is that of a layer. Known: the parabolas.",
+      "",
+      size -> {
+        LayeredPoiseuille flow = new LayeredPoiseuille(size, 2, 4);
+        return new LatticeFlow(
+            flow::settings,
+            flow::particles,
+            flow.settlingTime(),
+            (scheme, time) ->
+                ProfileFlow.of(scheme, time, greatest(scheme, flow), (y, at) -> flow.velocity(y)));
+      }),
+  CONTACT_ANGLE(
+      30,
+      "A drop on a wall that wets it to 120 degrees, begun at 90, held together by pairwise forces,"
+          + " 2-D; the size is the diameter of a disc of its area. Known: the angle, about which it swings"
+          + " by a few degrees.",
+      "",
+      size -> {
+        DropOnWall flow = new DropOnWall(size / 2.0, 120, 90);
+        return new LatticeFlow(
+            flow::settings,
+            flow::particles,
+            600,
+            (scheme, time) ->
+                List.of(Finding.of("contact_angle", "contact angle", flow.angle(scheme), 120)));
+      }),
+  TWO_PHASE_DROP(
+      20,
+      "A drop twice as dense as the fluid around it, without surface tension, begun in disorder,"
+          + " 2-D; the size is its diameter. Known: it comes to rest.",
+      "",
+      size -> {
+        TwoPhaseDrop flow = new TwoPhaseDrop(size / 2.0, 2, 0, 0.1);
+        return new LatticeFlow(
+            flow::settings,
+            flow::particles,
+            42,
+            (scheme, time) ->
+                List.of(
+                    new Finding(
+                        "fastest",
+                        "fastest, of sound",
+                        scheme.fastest(),
+                        0,
+                        scheme.fastest() / flow.soundSpeed())));
       });
+
+  /** Greatest velocity that is right at a place where there is fluid. */
+  private static double greatest(SphScheme scheme, LayeredPoiseuille flow) {
+    double[] most = new double[1];
+    scheme.forEachParticle(
+        (id, phase, x, y, z, u, v, w, n, p) ->
+            most[0] = phase < 2 ? Math.max(most[0], flow.velocity(y)) : most[0]);
+    return most[0];
+  }
 
   private final int usualSize;
   private final String what;
