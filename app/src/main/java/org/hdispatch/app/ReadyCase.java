@@ -6,9 +6,11 @@ import org.hdispatch.app.ReadyFlow.Finding;
 import org.hdispatch.sph.SphScheme;
 import org.hdispatch.sph.cases.Couette;
 import org.hdispatch.sph.cases.CylinderArray;
+import org.hdispatch.sph.cases.DamBreak;
 import org.hdispatch.sph.cases.DropOnWall;
 import org.hdispatch.sph.cases.LayeredPoiseuille;
 import org.hdispatch.sph.cases.Poiseuille;
+import org.hdispatch.sph.cases.RayleighTaylor;
 import org.hdispatch.sph.cases.SimpleCubicSpheres;
 import org.hdispatch.sph.cases.SquareDuct;
 import org.hdispatch.sph.cases.TwoPhaseDrop;
@@ -81,6 +83,44 @@ enum ReadyCase {
             flow.settlingTime(),
             (scheme, time) ->
                 ProfileFlow.of(scheme, time, greatest(scheme, flow), (y, at) -> flow.velocity(y)));
+      }),
+  RAYLEIGH_TAYLOR(
+      40,
+      "A fluid over one a third as dense, 2-D; the size is that of the wave that grows between"
+          + " them. Known: the rate at which it grows by linear theory.",
+      "",
+      size -> {
+        RayleighTaylor flow = new RayleighTaylor(size, 3);
+        return new LatticeFlow(
+            flow::settings,
+            flow::particles,
+            1.3 / flow.growthRate(),
+            (scheme, time) ->
+                List.of(
+                    Finding.of(
+                        "growth_rate",
+                        "growth rate",
+                        Math.log(flow.amplitude(scheme) / flow.firstAmplitude()) / time,
+                        flow.growthRate())));
+      }),
+  DAM_BREAK(
+      32,
+      "A square column of fluid that collapses in a tank, 2-D; the size is its height H. Known: its"
+          + " front is not faster than 2 sqrt(g H), a wave over a dry bed (Ritter 1892).",
+      "",
+      size -> {
+        DamBreak flow = new DamBreak(size);
+        return new LatticeFlow(
+            flow::settings,
+            flow::particles,
+            1.5 * flow.time(),
+            (scheme, time) ->
+                List.of(
+                    Finding.of(
+                        "front_speed",
+                        "front speed (2: its bound)",
+                        (flow.front(scheme) - 1) / time * flow.time(),
+                        2)));
       }),
   CONTACT_ANGLE(
       30,
