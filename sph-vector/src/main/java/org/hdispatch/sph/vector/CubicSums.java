@@ -25,7 +25,7 @@ final class CubicSums extends VectorSums {
   }
 
   @Override
-  void density(double[] v, int stride, int own, char[] quads, int from, int to) {
+  double density(double[] v, int stride, int own, char[] quads, int from, int to) {
     int ys = Y * stride;
     int zs = Z * stride;
     DoubleVector x = DoubleVector.broadcast(QUAD, v[own]);
@@ -53,7 +53,8 @@ final class CubicSums extends VectorSums {
     a = a.add(a.abs());
     b = b.add(b.abs());
     DoubleVector shape = b.mul(b).mul(b).fma(DoubleVector.broadcast(QUAD, -4), a.mul(a).mul(a));
-    sum.add(shape).intoArray(partial, 0);
+    sum = sum.add(shape);
+    return (sum.lane(0) + sum.lane(1)) + (sum.lane(2) + sum.lane(3));
   }
 
   @Override
@@ -116,9 +117,9 @@ final class CubicSums extends VectorSums {
     sumX = ux.sub(DoubleVector.fromArray(QUAD, v, uxs + last)).fma(drag, dx.fma(p, sumX));
     sumY = uy.sub(DoubleVector.fromArray(QUAD, v, uys + last)).fma(drag, dy.fma(p, sumY));
     sumZ = uz.sub(DoubleVector.fromArray(QUAD, v, uzs + last)).fma(drag, dz.fma(p, sumZ));
-    sumX.intoArray(partial, 0);
-    sumY.intoArray(partial, LANES);
-    sumZ.intoArray(partial, 2 * LANES);
+    sums[0] = (sumX.lane(0) + sumX.lane(1)) + (sumX.lane(2) + sumX.lane(3));
+    sums[1] = (sumY.lane(0) + sumY.lane(1)) + (sumY.lane(2) + sumY.lane(3));
+    sums[2] = (sumZ.lane(0) + sumZ.lane(1)) + (sumZ.lane(2) + sumZ.lane(3));
   }
 
   @Override
@@ -203,9 +204,9 @@ final class CubicSums extends VectorSums {
     sumX = ux.sub(DoubleVector.fromArray(QUAD, v, uxs + last)).fma(drag, dx.fma(p, sumX));
     sumY = uy.sub(DoubleVector.fromArray(QUAD, v, uys + last)).fma(drag, dy.fma(p, sumY));
     sumZ = uz.sub(DoubleVector.fromArray(QUAD, v, uzs + last)).fma(drag, dz.fma(p, sumZ));
-    sumX.intoArray(partial, 0);
-    sumY.intoArray(partial, LANES);
-    sumZ.intoArray(partial, 2 * LANES);
+    sums[0] = (sumX.lane(0) + sumX.lane(1)) + (sumX.lane(2) + sumX.lane(3));
+    sums[1] = (sumY.lane(0) + sumY.lane(1)) + (sumY.lane(2) + sumY.lane(3));
+    sums[2] = (sumZ.lane(0) + sumZ.lane(1)) + (sumZ.lane(2) + sumZ.lane(3));
   }
 
   @Override
@@ -290,8 +291,8 @@ final class CubicSums extends VectorSums {
     sumX = ux.sub(DoubleVector.fromArray(QUAD, v, uxs + last)).fma(drag, dx.fma(p, sumX));
     sumY = uy.sub(DoubleVector.fromArray(QUAD, v, uys + last)).fma(drag, dy.fma(p, sumY));
     sumZ = uz.sub(DoubleVector.fromArray(QUAD, v, uzs + last)).fma(drag, dz.fma(p, sumZ));
-    sumX.intoArray(partial, 0);
-    sumY.intoArray(partial, LANES);
-    sumZ.intoArray(partial, 2 * LANES);
+    sums[0] = (sumX.lane(0) + sumX.lane(1)) + (sumX.lane(2) + sumX.lane(3));
+    sums[1] = (sumY.lane(0) + sumY.lane(1)) + (sumY.lane(2) + sumY.lane(3));
+    sums[2] = (sumZ.lane(0) + sumZ.lane(1)) + (sumZ.lane(2) + sumZ.lane(3));
   }
 }

@@ -22,14 +22,29 @@ import org.hdispatch.sph.ViscosityMean;
  * under way while the other is worked on.
  */
 abstract class VectorSums implements PairSums {
+  /*
+   * Two more rules keep C2 of JDK 17 from boxing, both because of what its profiles hold.
+   *
+   * All binary and unary operations pass through VectorOperators.opKind, whose profile holds the
+   * class of operator. While only binary ones have been seen, C2 takes that class for granted; the
+   * first unary ones trap, up to four times, and every operation inlined from then on counts these
+   * traps. Past a hundred (PerMethodTrapLimit), hence 25 operations, C2 no longer trusts any type
+   * in the rest of a method, and what it does not know to be a Double256Vector is boxed. So
+   * find(), which runs long before all else, must do with ternary operations: binary ones are
+   * first met together with unary ones.
+   *
+   * Sums leave a loop by lane(), which Double256Vector overrides, so that C2 knows the type in it.
+   * It must guess it in intoArray(), a method of DoubleVector.
+   */
+
   /** A quad, whatever the longest vectors of this processor. */
   static final VectorSpecies<Double> QUAD = DoubleVector.SPECIES_256;
 
   /** A distance, in h, at and beyond which all kernels are 0. */
   static final double FAR = 3;
 
-  /** Partial sums of one particle: density, or force along x, y and z. */
-  final double[] partial = new double[3 * LANES];
+  /** Sums of one particle: force along x, y and z. */
+  final double[] sums = new double[3];
 
   private final PairModel model;
 
@@ -63,16 +78,18 @@ abstract class VectorSums implements PairSums {
       double[] v, int stride, int own, int all, double square, char[] quads, int length) {
     int ys = Y * stride;
     int zs = Z * stride;
-    DoubleVector x = DoubleVector.broadcast(QUAD, v[own]);
-    DoubleVector y = DoubleVector.broadcast(QUAD, v[ys + own]);
-    DoubleVector z = DoubleVector.broadcast(QUAD, v[zs + own]);
+    DoubleVector minusX = DoubleVector.broadcast(QUAD, -v[own]);
+    DoubleVector minusY = DoubleVector.broadcast(QUAD, -v[ys + own]);
+    DoubleVector minusZ = DoubleVector.broadcast(QUAD, -v[zs + own]);
+    DoubleVector one = DoubleVector.broadcast(QUAD, 1);
     DoubleVector limit = DoubleVector.broadcast(QUAD, square);
     DoubleVector least = DoubleVector.broadcast(QUAD, LEAST_SQUARE);
     for (int quad = 0; quad < all; quad++) {
       int n = quad * LANES;
-      DoubleVector dx = DoubleVector.fromArray(QUAD, v, n).sub(x);
-      DoubleVector dy = DoubleVector.fromArray(QUAD, v, ys + n).sub(y);
-      DoubleVector dz = DoubleVector.fromArray(QUAD, v, zs + n).sub(z);
+      // x_j * 1 - x_i: the bits of the difference, by a ternary operation
+      DoubleVector dx = DoubleVector.fromArray(QUAD, v, n).fma(one, minusX);
+      DoubleVector dy = DoubleVector.fromArray(QUAD, v, ys + n).fma(one, minusY);
+      DoubleVector dz = DoubleVector.fromArray(QUAD, v, zs + n).fma(one, minusZ);
       DoubleVector squares = dz.fma(dz, dy.fma(dy, dx.fma(dx, least)));
       quads[length] = (char) quad;
       length += squares.compare(VectorOperators.LT, limit).anyTrue() ? 1 : 0;
@@ -89,8 +106,7 @@ abstract class VectorSums implements PairSums {
     char[] quads = list.quads();
     double factor = model.kernel().valueFactor();
     for (int i = 0; i < near.ownCount(); i++) {
-      density(values, stride, own + i, quads, first[i], first[i + 1]);
-      density[i] = factor * sum(0);
+      density[i] = factor * density(values, stride, own + i, quads, first[i], first[i + 1]);
     }
   }
 
@@ -116,24 +132,20 @@ abstract class VectorSums implements PairSums {
       } else {
         harmonic(values, stride, own + i, quads, first[i], first[i + 1], nearness[i], most);
       }
-      x[i] = factor * sum(0);
-      y[i] = factor * sum(LANES);
-      z[i] = factor * sum(2 * LANES);
+      x[i] = factor * sums[0];
+      y[i] = factor * sums[1];
+      z[i] = factor * sums[2];
     }
   }
 
-  private double sum(int at) {
-    return (partial[at] + partial[at + 1]) + (partial[at + 2] + partial[at + 3]);
-  }
+  /** Sum of the shape of the kernel over the quads from..to of a list. */
+  abstract double density(double[] values, int stride, int own, char[] quads, int from, int to);
 
-  /** Partial sums of the shape of the kernel over the quads from..to of a list. */
-  abstract void density(double[] values, int stride, int own, char[] quads, int from, int to);
-
-  /** Partial sums of the force where viscosity is the same for all, and there are no walls. */
+  /** Sums of the force where viscosity is the same for all, and there are no walls. */
   abstract void uniform(
       double[] values, int stride, int own, char[] quads, int from, int to, double twiceViscosity);
 
-  /** Partial sums of the force with arithmetic means of the viscosity. */
+  /** Sums of the force with arithmetic means of the viscosity. */
   abstract void arithmetic(
       double[] values,
       int stride,
@@ -144,7 +156,7 @@ abstract class VectorSums implements PairSums {
       double nearness,
       double wallFactor);
 
-  /** Partial sums of the force with harmonic means of the viscosity. */
+  /** Sums of the force with harmonic means of the viscosity. */
   abstract void harmonic(
       double[] values,
       int stride,

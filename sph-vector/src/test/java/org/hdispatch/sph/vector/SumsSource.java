@@ -95,7 +95,7 @@ enum SumsSource {
         }
 
         @Override
-        void density(double[] v, int stride, int own, char[] quads, int from, int to) {
+        double density(double[] v, int stride, int own, char[] quads, int from, int to) {
           int ys = Y * stride;
           int zs = Z * stride;
           DoubleVector x = constant(v[own]);
@@ -113,7 +113,8 @@ enum SumsSource {
             q = dz.fma(dz, dy.fma(dy, dx.fma(dx, least))).sqrt().mul(scale);
             sum = sum.add(shape);
           }
-      LAST    sum.add(shape).intoArray(partial, 0);
+      LAST    sum = sum.add(shape);
+          return (sum.lane(0) + sum.lane(1)) + (sum.lane(2) + sum.lane(3));
         }
       UNIFORMARITHMETICHARMONIC}
       """;
@@ -156,9 +157,9 @@ enum SumsSource {
             q = dz.fma(dz, dy.fma(dy, dx.fma(dx, least))).sqrt().mul(scale);
             last = n;
           }
-      STEP    sumX.intoArray(partial, 0);
-          sumY.intoArray(partial, LANES);
-          sumZ.intoArray(partial, 2 * LANES);
+      STEP    sums[0] = (sumX.lane(0) + sumX.lane(1)) + (sumX.lane(2) + sumX.lane(3));
+          sums[1] = (sumY.lane(0) + sumY.lane(1)) + (sumY.lane(2) + sumY.lane(3));
+          sums[2] = (sumZ.lane(0) + sumZ.lane(1)) + (sumZ.lane(2) + sumZ.lane(3));
         }
       """;
 
