@@ -20,7 +20,7 @@ import org.hdispatch.sph.TimeStep;
  * One computation of a steady flow by particles. Lengths are in voxels, densities in that of the
  * fluid; the unit of time is such that the kinematic viscosity is 1.
  */
-final class SphRun {
+final class SphRun implements Stepping.Flow {
   private static final double VISCOSITY = 1;
 
   /** So that sound, as viscosity, hardly limits the time step: c = 2 would limit it as much. */
@@ -52,12 +52,12 @@ final class SphRun {
   private final double[] densities; // by fluid particle: noted last
   private final SphScheme scheme;
   private final TimeLoop loop;
+  private final Stepping stepping;
   private final CorrectionShare correction = new CorrectionShare();
   private final ErrorOfSteadyState error = ErrorOfSteadyState.whereCorrected();
   private final double[] sections; // flux through each layer of nodes
   private final double[] gains; // of volume in each layer, in a unit of time
   private long pressureNanos;
-  private double warmUpSeconds;
   private int corrections;
   private double permeability;
   private double imbalance = Double.POSITIVE_INFINITY;
@@ -116,6 +116,7 @@ final class SphRun {
             .timeStep(limits.allowed())
             .build(particles);
     loop = dispatcher.loop(scheme);
+    stepping = new Stepping(loop, options, listener, WARM_UP_STEPS);
     densities = new double[layout.nodes().length];
     gains = new double[sizeAlong()];
     sections = new double[sizeAlong()];
@@ -165,23 +166,7 @@ final class SphRun {
 
   SteadyFlow toSteadyState() {
     listener.started(new FlowListener.Start(layout.nodes().length, Double.NaN));
-    int interval = interval();
-    long warmUpSteps = 0;
-    StopRule steady = new StopRule(options.tolerance());
-    boolean converged = false;
-    boolean ended = false;
-    while (!ended && steps() < options.maxSteps()) {
-      advance(Math.min(interval, options.maxSteps() - steps()));
-      converged = steady.isMet(error.estimate(), corrections);
-      ended = converged || listener.enough();
-      if (warmUpSteps == 0 && steps() >= WARM_UP_STEPS && !ended) {
-        warmUpSteps = steps();
-        warmUpSeconds = loop.stats().nanos() * 1e-9;
-        loop.resetStats();
-        listener.warmedUp();
-      }
-    }
-    listener.stepped();
+    boolean converged = stepping.toSteadyState(this, interval());
     double[] compression = scheme.compression();
     return new SteadyFlow(
         options,
@@ -195,7 +180,7 @@ final class SphRun {
         converged,
         fastest / SOUND_SPEED,
         new SteadyFlow.Chosen(domain.hydraulicDiameter(), Double.NaN, domain.layers()),
-        new SteadyFlow.Work(layout.nodes().length, steps(), seconds(), warmUpSteps, loop.stats()),
+        stepping.work(layout.nodes().length),
         Optional.of(
             new SteadyFlow.Corrections(corrections, correction.helpful(), pressureNanos * 1e-9)),
         Optional.of(
@@ -217,7 +202,8 @@ final class SphRun {
     return (int) Math.max(LEAST_INTERVAL, Math.ceil(momentum));
   }
 
-  private void advance(long steps) {
+  @Override
+  public void advance(long steps) {
     boolean correct = correction.helpful() && steps > GAIN_STEPS;
     loop.run(correct ? steps - GAIN_STEPS : steps);
     if (correct) {
@@ -228,8 +214,6 @@ final class SphRun {
             }
           });
       loop.run(GAIN_STEPS);
-    }
-    if (correct) {
       gather();
     }
     measure();
@@ -238,6 +222,16 @@ final class SphRun {
       correct();
       pressureNanos += System.nanoTime() - begin;
     }
+  }
+
+  @Override
+  public double errorEstimate() {
+    return error.estimate();
+  }
+
+  @Override
+  public int corrections() {
+    return corrections;
   }
 
   /** Finds the rate at which density grows at each node since it was noted, and in each section. */
@@ -301,18 +295,8 @@ final class SphRun {
         permeability,
         imbalance,
         RelaxationChoice.momentumLeft(
-            domain.hydraulicDiameter(), VISCOSITY * limits.allowed(), steps()));
-    listener.progressed(
-        new FlowListener.Progress(
-            steps(),
-            options.maxSteps(),
-            permeability,
-            error.estimate(),
-            options.tolerance(),
-            corrections,
-            seconds(),
-            pressureNanos * 1e-9,
-            layout.nodes().length * (double) steps() / seconds() * 1e-6));
+            domain.hydraulicDiameter(), VISCOSITY * limits.allowed(), stepping.steps()));
+    stepping.tell(this, permeability, pressureNanos * 1e-9, layout.nodes().length);
   }
 
   /**
@@ -354,13 +338,5 @@ final class SphRun {
                         w);
                   }
                 }));
-  }
-
-  private long steps() {
-    return loop.tick().step();
-  }
-
-  private double seconds() {
-    return warmUpSeconds + loop.stats().nanos() * 1e-9;
   }
 }

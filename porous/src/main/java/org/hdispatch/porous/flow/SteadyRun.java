@@ -13,7 +13,7 @@ import org.hdispatch.porous.image.Axis;
 import org.hdispatch.porous.pore.Percolation;
 
 /** One computation of a steady flow. */
-final class SteadyRun {
+final class SteadyRun implements Stepping.Flow {
   /** Least number of steps before what is counted "per step" is counted. */
   private static final int WARM_UP_STEPS = 100;
 
@@ -36,11 +36,11 @@ final class SteadyRun {
   private final double force;
   private final LbmScheme scheme;
   private final TimeLoop loop;
+  private final Stepping stepping;
   private final SectionFlux flux;
   private final Optional<PressureSolver> pressure;
   private final ErrorOfSteadyState error;
   private double permeability;
-  private double warmUpSeconds;
   private long pressureNanos;
   private int corrections;
 
@@ -77,6 +77,7 @@ final class SteadyRun {
     domain.bodies().ifPresent(builder::immersion);
     scheme = builder.build();
     loop = dispatcher.loop(scheme);
+    stepping = new Stepping(loop, options, listener, WARM_UP_STEPS);
     long begin = System.nanoTime();
     pressure =
         corrected ? Optional.of(new PressureSolver(dispatcher, domain, scheme)) : Optional.empty();
@@ -101,22 +102,7 @@ final class SteadyRun {
   SteadyFlow toSteadyState() {
     listener.started(new FlowListener.Start(scheme.nodes(), relaxationTime));
     pressure.ifPresent(solver -> timed(() -> solver.start(force)));
-    long warmUpSteps = 0;
-    StopRule steady = new StopRule(options.tolerance());
-    boolean converged = false;
-    boolean ended = false;
-    while (!ended && steps() < options.maxSteps()) {
-      advance(Math.min(interval, options.maxSteps() - steps()));
-      converged = steady.isMet(error.estimate(), corrections);
-      ended = converged || listener.enough();
-      if (warmUpSteps == 0 && steps() >= WARM_UP_STEPS && !ended) {
-        warmUpSteps = steps();
-        warmUpSeconds = loop.stats().nanos() * 1e-9;
-        loop.resetStats();
-        listener.warmedUp();
-      }
-    }
-    listener.stepped();
+    boolean converged = stepping.toSteadyState(this, interval);
     return new SteadyFlow(
         options,
         porosity,
@@ -129,7 +115,7 @@ final class SteadyRun {
         converged,
         flux.highestSpeed() / Math.sqrt(VelocitySet.SOUND_SPEED_SQUARED),
         new SteadyFlow.Chosen(domain.hydraulicDiameter(), relaxationTime, domain.layers()),
-        new SteadyFlow.Work(scheme.nodes(), steps(), seconds(), warmUpSteps, loop.stats()),
+        stepping.work(scheme.nodes()),
         pressure.map(
             solver ->
                 new SteadyFlow.Corrections(corrections, solver.helpful(), pressureNanos * 1e-9)),
@@ -138,7 +124,8 @@ final class SteadyRun {
   }
 
   /** Steps, measures, and corrects the pressure where that helps and more steps follow. */
-  private void advance(long steps) {
+  @Override
+  public void advance(long steps) {
     boolean correct = pressure.isPresent() && pressure.get().helpful() && steps > GAIN_STEPS;
     loop.run(correct ? steps - GAIN_STEPS : steps);
     if (correct) {
@@ -152,6 +139,16 @@ final class SteadyRun {
     }
   }
 
+  @Override
+  public double errorEstimate() {
+    return error.estimate();
+  }
+
+  @Override
+  public int corrections() {
+    return corrections;
+  }
+
   private void timed(Runnable work) {
     long begin = System.nanoTime();
     work.run();
@@ -161,14 +158,6 @@ final class SteadyRun {
   /** Pressure drop over the rock per length and density, nu q / k. */
   private double drive() {
     return scheme.relaxation().viscosity() * flux.superficialVelocity() / permeability;
-  }
-
-  private long steps() {
-    return loop.tick().step();
-  }
-
-  private double seconds() {
-    return warmUpSeconds + loop.stats().nanos() * 1e-9;
   }
 
   private void measure() {
@@ -182,23 +171,13 @@ final class SteadyRun {
             domain.layers(),
             domain.slabPermeability());
     if (!Double.isFinite(permeability)) {
-      throw new DivergedException(steps(), relaxationTime);
+      throw new DivergedException(stepping.steps(), relaxationTime);
     }
     error.add(
         permeability,
         flux.imbalance(),
         RelaxationChoice.momentumLeft(
-            domain.hydraulicDiameter(), scheme.relaxation().viscosity(), steps()));
-    listener.progressed(
-        new FlowListener.Progress(
-            steps(),
-            options.maxSteps(),
-            permeability,
-            error.estimate(),
-            options.tolerance(),
-            corrections,
-            seconds(),
-            pressureNanos * 1e-9,
-            scheme.nodes() * (double) steps() / seconds() * 1e-6));
+            domain.hydraulicDiameter(), scheme.relaxation().viscosity(), stepping.steps()));
+    stepping.tell(this, permeability, pressureNanos * 1e-9, scheme.nodes());
   }
 }
