@@ -116,9 +116,9 @@ enum ReadyCase {
             1.5 * flow.time(),
             (scheme, time) ->
                 List.of(
-                    Finding.of(
+                    Finding.notAbove(
                         "front_speed",
-                        "front speed (2: its bound)",
+                        "mean speed of front, at most",
                         (flow.front(scheme) - 1) / time * flow.time(),
                         2)));
       }),

@@ -41,5 +41,10 @@ interface ReadyFlow {
     static Finding of(String key, String name, double found, double known) {
       return new Finding(key, name, found, known, found / known - 1);
     }
+
+    /** A quantity of which a bound is known: it is wrong by what it lies above. */
+    static Finding notAbove(String key, String name, double found, double bound) {
+      return new Finding(key, name, found, bound, Math.max(0, found / bound - 1));
+    }
   }
 }

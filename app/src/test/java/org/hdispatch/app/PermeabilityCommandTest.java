@@ -390,4 +390,14 @@ class PermeabilityCommandTest {
     assertEquals(24, number(json, "nx"));
     assertEquals(5.345e-6 / 2, number(json, "voxel_edge_m"), 1e-12);
   }
+
+  @Test
+  void whatParticlesDoNotTakeIsRefused() {
+    Cli.run("permeability", "--method=sph", "--wall-factor=0.5").assertRefused(2, "beta_max=0.5");
+    Cli.run("permeability", "--method=sph", "--smoothing-length=3").assertRefused(2, "h=3.0");
+    Cli.run("permeability", "--method=sph", "--sides=mirror").assertRefused(2, "sides=MIRROR");
+    Cli.run("permeability", "--method=sph", "--tau=1").assertRefused(2, "--tau");
+    Cli.run("permeability", "--smoothing-length=1.5").assertRefused(2, "--method sph");
+    Cli.run("permeability", "--refine=0").assertRefused(2, "N=0");
+  }
 }

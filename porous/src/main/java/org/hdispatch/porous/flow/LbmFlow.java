@@ -39,7 +39,7 @@ public final class LbmFlow {
       return SteadyFlow.none(options, space.porosity(), percolation);
     }
     FlowDomain domain = new FlowDomain(percolation.connected(), options);
-    return new SteadyRun(dispatcher, space.porosity(), options, percolation, domain, listener)
+    return new SteadyLbmRun(dispatcher, space.porosity(), options, percolation, domain, listener)
         .toSteadyState();
   }
 
@@ -72,7 +72,7 @@ public final class LbmFlow {
       return SteadyFlow.none(options, solid.porosity(), percolation);
     }
     FlowDomain domain = new FlowDomain(percolation.connected(), solid, options);
-    return new SteadyRun(dispatcher, solid.porosity(), options, percolation, domain, listener)
+    return new SteadyLbmRun(dispatcher, solid.porosity(), options, percolation, domain, listener)
         .toSteadyState();
   }
 

@@ -51,7 +51,7 @@ public final class SphFlow {
       return SteadyFlow.none(options, space.porosity(), percolation);
     }
     FlowDomain domain = new FlowDomain(percolation.connected(), options);
-    return new SphRun(
+    return new SteadySphRun(
             dispatcher, space.porosity(), options, particles, percolation, domain, listener)
         .toSteadyState();
   }

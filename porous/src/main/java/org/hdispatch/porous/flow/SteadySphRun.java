@@ -20,7 +20,7 @@ import org.hdispatch.sph.TimeStep;
  * One computation of a steady flow by particles. Lengths are in voxels, densities in that of the
  * fluid; the unit of time is such that the kinematic viscosity is 1.
  */
-final class SphRun implements Stepping.Flow {
+final class SteadySphRun implements Stepping.Flow {
   private static final double VISCOSITY = 1;
 
   /** So that sound, as viscosity, hardly limits the time step: c = 2 would limit it as much. */
@@ -64,7 +64,7 @@ final class SphRun implements Stepping.Flow {
   private double fastest;
   private final int count;
 
-  SphRun(
+  SteadySphRun(
       Dispatcher dispatcher,
       double porosity,
       FlowOptions options,

@@ -12,8 +12,8 @@ import org.hdispatch.porous.darcy.Darcy;
 import org.hdispatch.porous.image.Axis;
 import org.hdispatch.porous.pore.Percolation;
 
-/** One computation of a steady flow. */
-final class SteadyRun implements Stepping.Flow {
+/** One computation of a steady flow by the lattice Boltzmann method. */
+final class SteadyLbmRun implements Stepping.Flow {
   /** Least number of steps before what is counted "per step" is counted. */
   private static final int WARM_UP_STEPS = 100;
 
@@ -44,7 +44,7 @@ final class SteadyRun implements Stepping.Flow {
   private long pressureNanos;
   private int corrections;
 
-  SteadyRun(
+  SteadyLbmRun(
       Dispatcher dispatcher,
       double porosity,
       FlowOptions options,
