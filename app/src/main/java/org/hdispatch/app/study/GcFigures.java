@@ -1,0 +1,81 @@
+package org.hdispatch.app.study;
+
+import java.util.List;
+
+/**
+ * What was measured in a run after warm-up.
+ *
+ * @param heapBytes size of the heap ({@code -Xms} and {@code -Xmx})
+ * @param peakHeapBytes most of it in use, as seen at collections and at the end
+ * @param workers threads that stepped
+ * @param cells processed in a step
+ * @param steps number of them
+ * @param seconds wall time
+ * @param workerCpuSeconds processor time of the threads that stepped
+ * @param otherCpuSeconds of all other threads: the collector's, and a little of the compilers'
+ * @param collections collections begun; a concurrent cycle counts once
+ * @param pauses stop-the-world work of the collector, as it reports it
+ * @param stopped all threads stopped, for whatever reason, from the request until they ran again
+ * @param reachingMillis share of that until all threads had stopped (time to safepoint), ms
+ * @param stalls single threads held up for memory (ZGC)
+ * @param stepTimes lengths of the steps
+ * @param bytesPerStep allocated by the worst worker, or -1 if not measured
+ * @param bytesPerStepInAll allocated by all threads that stepped, or -1 if not measured
+ * @param timeline the pauses one by one, in order
+ */
+public record GcFigures(
+    long heapBytes,
+    long peakHeapBytes,
+    int workers,
+    int cells,
+    long steps,
+    double seconds,
+    double workerCpuSeconds,
+    double otherCpuSeconds,
+    long collections,
+    Stops pauses,
+    Stops stopped,
+    double reachingMillis,
+    Stops stalls,
+    StepTimes stepTimes,
+    double bytesPerStep,
+    double bytesPerStepInAll,
+    List<Pause> timeline) {
+
+  /**
+   * Stops of one kind.
+   *
+   * @param count number of them, or -1 if not measured
+   * @param totalMillis sum, ms
+   * @param p99Millis 99th percentile, ms
+   * @param maxMillis longest, ms
+   */
+  public record Stops(long count, double totalMillis, double p99Millis, double maxMillis) {}
+
+  /**
+   * A stop-the-world pause.
+   *
+   * @param atSeconds when it began, after the first measured step, s
+   * @param millis its length, ms
+   * @param kind what the collector calls it
+   */
+  public record Pause(double atSeconds, double millis, String kind) {}
+
+  /**
+   * Lengths of the steps, with their histogram.
+   *
+   * @param p50Micros median, us
+   * @param p99Micros 99th percentile, us
+   * @param p999Micros 99.9th percentile, us
+   * @param maxMicros longest, us
+   * @param edgesMicros upper edges of the classes, us, ascending; shape: [classes]
+   * @param counts steps in each class; shape: [classes]
+   */
+  public record StepTimes(
+      double p50Micros,
+      double p99Micros,
+      double p999Micros,
+      double maxMicros,
+      List<Double> edgesMicros,
+      List<Long> counts) {}
+}
