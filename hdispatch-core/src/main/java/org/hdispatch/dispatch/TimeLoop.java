@@ -75,6 +75,31 @@ public final class TimeLoop {
   }
 
   /**
+   * Warms up: runs this many steps again and again, until no worker has allocated a byte in them.
+   * One such window tells nothing alone: the JVM itself allocates, once, when it replaces code that
+   * it has compiled, at any time. The statistics are those of the last window then, so that {@link
+   * LoopStats#bytesPerStep} is 0 if warming up came to an end.
+   *
+   * @param steps of a window
+   * @param windows most windows to run; the first is the last where this JVM does not count bytes
+   * @return whether nothing was allocated in the last window
+   * @throws IllegalArgumentException if {@code steps} is negative
+   * @throws KernelException as {@link #run}
+   * @throws CancellationException as {@link #run}
+   * @throws IllegalStateException as {@link #run}
+   * @throws RuntimeException as {@link #run}
+   */
+  public boolean warmUp(long steps, int windows) {
+    long bytes = 1;
+    for (int window = 0; window < windows && bytes > 0; window++) {
+      resetStats();
+      run(steps);
+      bytes = stats().bytesPerStep();
+    }
+    return bytes == 0;
+  }
+
+  /**
    * Runs until a condition holds, at most this many steps.
    *
    * @param stop asked by the caller's thread after each step

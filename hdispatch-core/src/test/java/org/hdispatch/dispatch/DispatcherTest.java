@@ -233,13 +233,9 @@ class DispatcherTest {
     CellMap<Counter> cells = counters(64);
     try (Dispatcher dispatcher = Dispatcher.withWorkers(workers)) {
       TimeLoop loop = dispatcher.loop(counting(cells));
-      for (int warmUp = 0; warmUp < 10; warmUp++) {
-        loop.run(4_000);
-      }
-      loop.resetStats();
-      loop.run(20_000);
+      assertTrue(loop.warmUp(20_000, 20), () -> loop.stats().toString());
       loop.stats().workers().forEach(worker -> assertEquals(0, worker.allocatedBytes()));
-      assertEquals(0, loop.stats().bytesPerStep());
+      assertEquals(20_000, loop.stats().steps());
     }
   }
 
@@ -253,7 +249,9 @@ class DispatcherTest {
               .pass("touch", (cell, scratch, tick) -> scratch[(int) cell.key & 0xff] = 1)
               .build();
       TimeLoop loop = dispatcher.loop(scheme, ScratchLifetime.PER_CELL);
-      loop.run(100);
+      assertFalse(loop.warmUp(100, 3));
+      assertEquals(300, loop.tick().step());
+      assertEquals(100, loop.stats().steps());
       long bytes = loop.stats().bytesPerStep();
       assertTrue(bytes >= 10 << 16 && bytes < 11 << 16, "bytes=" + bytes);
     }

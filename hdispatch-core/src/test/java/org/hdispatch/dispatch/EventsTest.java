@@ -108,12 +108,7 @@ class EventsTest {
         dispatcher.loop(scheme()).run(10);
       }
       TimeLoop loop = dispatcher.loop(scheme());
-      for (int warmUp = 0; warmUp < 10; warmUp++) {
-        loop.run(4_000);
-      }
-      loop.resetStats();
-      loop.run(10_000);
-      loop.stats().workers().forEach(worker -> assertEquals(0, worker.allocatedBytes()));
+      assertTrue(loop.warmUp(10_000, 20), () -> loop.stats().toString());
     }
   }
 }

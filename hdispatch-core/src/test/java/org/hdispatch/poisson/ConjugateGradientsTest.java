@@ -228,8 +228,8 @@ class ConjugateGradientsTest {
       assertEquals(workers, measured.length);
       AllocationMeter meter = new AllocationMeter(measured);
       long few = 0;
-      long many = 0;
-      for (int warmUp = 0; warmUp < 60; warmUp++) {
+      long many = 1;
+      for (int warmUp = 0; warmUp < 60 && few != many; warmUp++) {
         few = allocated(meter, solver, 1);
         many = allocated(meter, solver, 9);
       }

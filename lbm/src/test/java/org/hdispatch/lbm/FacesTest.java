@@ -359,12 +359,7 @@ class FacesTest {
     LbmScheme scheme = flows(VelocitySet.D3Q19).get(2).bundleSize(BundleSize.cube(4)).build();
     try (Dispatcher dispatcher = Dispatcher.withWorkers(2)) {
       TimeLoop loop = dispatcher.loop(scheme);
-      for (int warmUp = 0; warmUp < 10; warmUp++) {
-        loop.run(300);
-      }
-      loop.resetStats();
-      loop.run(2_000);
-      loop.stats().workers().forEach(worker -> assertEquals(0, worker.allocatedBytes()));
+      assertTrue(loop.warmUp(2_000, 10), () -> loop.stats().toString());
     }
   }
 

@@ -126,13 +126,7 @@ class VectorSchemeTest {
   private static void comesToAllocateNothing(SphScheme scheme, int workers) {
     try (Dispatcher dispatcher = Dispatcher.withWorkers(workers)) {
       TimeLoop loop = dispatcher.loop(scheme);
-      long bytes = Long.MAX_VALUE;
-      for (int batch = 0; batch < 40 && bytes > 0; batch++) {
-        loop.resetStats();
-        loop.run(20);
-        bytes = loop.stats().bytesPerStep();
-      }
-      assertEquals(0, bytes, scheme.toString());
+      assertTrue(loop.warmUp(20, 40), () -> scheme + ": " + loop.stats());
     }
   }
 
