@@ -4,6 +4,7 @@ import java.util.List;
 import java.util.Optional;
 import java.util.OptionalDouble;
 import java.util.OptionalInt;
+import org.hdispatch.lbm.Storage;
 import org.hdispatch.lbm.VelocitySet;
 import org.hdispatch.porous.flow.Approach;
 import org.hdispatch.porous.flow.CollisionModel;
@@ -51,6 +52,16 @@ final class FlowSettings {
       paramLabel = "LATTICE",
       description = "Velocity set: ${COMPLETION-CANDIDATES} (--walls imb: D3Q15).")
   private VelocitySet lattice = FlowOptions.DEFAULT.velocitySet();
+
+  @Option(
+      names = "--storage",
+      paramLabel = "PRECISION",
+      defaultValue = "double",
+      completionCandidates = Choices.OfStorage.class,
+      description =
+          "Precision of the populations: ${COMPLETION-CANDIDATES}. Single takes half their memory;"
+              + " k differs by about 1e-5 of itself.")
+  private Storage storage;
 
   @Option(
       names = "--collision",
@@ -147,6 +158,7 @@ final class FlowSettings {
             new FlowOptions(
                 axis,
                 lattice,
+                storage,
                 collision,
                 tau == null ? OptionalDouble.empty() : OptionalDouble.of(tau),
                 sides,

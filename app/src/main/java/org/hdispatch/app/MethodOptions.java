@@ -11,7 +11,7 @@ final class MethodOptions {
 
   /** What belongs to the lattice Boltzmann method alone. */
   static final List<String> LBM_NAMES =
-      List.of("--lattice", "--collision", "--tau", "--walls", "--approach");
+      List.of("--lattice", "--storage", "--collision", "--tau", "--walls", "--approach");
 
   /** What belongs to particles alone. */
   static final List<String> SPH_NAMES = List.of("--smoothing-length", "--wall-factor");

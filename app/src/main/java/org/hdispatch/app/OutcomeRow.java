@@ -57,6 +57,9 @@ final class OutcomeRow {
     SteadyFlow flow = outcome.flow();
     PoreSpace space = outcome.rock().space();
     row.put("approach", Choices.word(outcome.options().approach()))
+        .put(
+            "storage",
+            outcome.method() == Method.LBM ? Choices.word(outcome.options().storage()) : null)
         .put("corrections", flow.corrections().map(SteadyFlow.Corrections::count).orElse(0))
         .put(
             "seconds_pressure", flow.corrections().map(SteadyFlow.Corrections::seconds).orElse(0.0))

@@ -2,6 +2,7 @@ package org.hdispatch.app;
 
 import java.util.Locale;
 import java.util.OptionalDouble;
+import org.hdispatch.lbm.Storage;
 import org.hdispatch.porous.darcy.Permeability;
 import org.hdispatch.porous.flow.FlowOptions;
 import org.hdispatch.porous.flow.SteadyFlow;
@@ -146,7 +147,7 @@ final class OutcomeTable {
     FlowOptions options = outcome.options();
     return "lattice Boltzmann, "
         + options.velocitySet()
-        + ", "
+        + (options.storage() == Storage.SINGLE ? ", single precision, " : ", ")
         + options.collision()
         + ", linear equilibrium, walls "
         + Choices.word(outcome.walls());

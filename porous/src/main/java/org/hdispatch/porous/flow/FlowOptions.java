@@ -3,6 +3,8 @@ package org.hdispatch.porous.flow;
 import java.util.Objects;
 import java.util.OptionalDouble;
 import java.util.OptionalInt;
+import java.util.function.Consumer;
+import org.hdispatch.lbm.Storage;
 import org.hdispatch.lbm.VelocitySet;
 import org.hdispatch.porous.image.Axis;
 
@@ -12,6 +14,7 @@ import org.hdispatch.porous.image.Axis;
  *
  * @param axis direction of the flow
  * @param velocitySet lattice
+ * @param storage precision of the populations
  * @param collision how populations relax
  * @param relaxationTime tau, in steps; empty to have it chosen from the pore space
  * @param sides what bounds the rock at the sides
@@ -25,6 +28,7 @@ import org.hdispatch.porous.image.Axis;
 public record FlowOptions(
     Axis axis,
     VelocitySet velocitySet,
+    Storage storage,
     CollisionModel collision,
     OptionalDouble relaxationTime,
     Sides sides,
@@ -38,13 +42,14 @@ public record FlowOptions(
   private static final int MOST = 10_000;
 
   /**
-   * Flow along z on D3Q19 with TRT, walls at the sides, slabs at the ends, to an estimated error of
-   * 0.1 %, at most 200 000 steps.
+   * Flow along z on D3Q19 in double precision with TRT, walls at the sides, slabs at the ends, to
+   * an estimated error of 0.1 %, at most 200 000 steps.
    */
   public static final FlowOptions DEFAULT =
       new FlowOptions(
           Axis.Z,
           VelocitySet.D3Q19,
+          Storage.DOUBLE,
           CollisionModel.TRT,
           OptionalDouble.empty(),
           Sides.WALL,
@@ -70,6 +75,7 @@ public record FlowOptions(
   public FlowOptions {
     Objects.requireNonNull(axis, "axis");
     Objects.requireNonNull(velocitySet, "velocitySet");
+    Objects.requireNonNull(storage, "storage");
     Objects.requireNonNull(collision, "collision");
     Objects.requireNonNull(sides, "sides");
     Objects.requireNonNull(inlet, "inlet");
@@ -90,138 +96,103 @@ public record FlowOptions(
     }
   }
 
+  /** Settings on their way to a changed copy. */
+  private static final class Draft {
+    Axis axis;
+    VelocitySet velocitySet;
+    Storage storage;
+    CollisionModel collision;
+    OptionalDouble relaxationTime;
+    Sides sides;
+    Inlet inlet;
+    OptionalInt inletLayers;
+    Approach approach;
+    double tolerance;
+    long maxSteps;
+
+    Draft(FlowOptions from) {
+      axis = from.axis;
+      velocitySet = from.velocitySet;
+      storage = from.storage;
+      collision = from.collision;
+      relaxationTime = from.relaxationTime;
+      sides = from.sides;
+      inlet = from.inlet;
+      inletLayers = from.inletLayers;
+      approach = from.approach;
+      tolerance = from.tolerance;
+      maxSteps = from.maxSteps;
+    }
+  }
+
+  private FlowOptions with(Consumer<Draft> change) {
+    Draft to = new Draft(this);
+    change.accept(to);
+    return new FlowOptions(
+        to.axis,
+        to.velocitySet,
+        to.storage,
+        to.collision,
+        to.relaxationTime,
+        to.sides,
+        to.inlet,
+        to.inletLayers,
+        to.approach,
+        to.tolerance,
+        to.maxSteps);
+  }
+
   /** A copy with another direction of flow. */
   public FlowOptions withAxis(Axis direction) {
-    return new FlowOptions(
-        direction,
-        velocitySet,
-        collision,
-        relaxationTime,
-        sides,
-        inlet,
-        inletLayers,
-        approach,
-        tolerance,
-        maxSteps);
+    return with(to -> to.axis = direction);
   }
 
   /** A copy with another lattice. */
   public FlowOptions withVelocitySet(VelocitySet set) {
-    return new FlowOptions(
-        axis,
-        set,
-        collision,
-        relaxationTime,
-        sides,
-        inlet,
-        inletLayers,
-        approach,
-        tolerance,
-        maxSteps);
+    return with(to -> to.velocitySet = set);
+  }
+
+  /** A copy with populations in another precision. */
+  public FlowOptions withStorage(Storage precision) {
+    return with(to -> to.storage = precision);
   }
 
   /** A copy with another collision. */
   public FlowOptions withCollision(CollisionModel model) {
-    return new FlowOptions(
-        axis,
-        velocitySet,
-        model,
-        relaxationTime,
-        sides,
-        inlet,
-        inletLayers,
-        approach,
-        tolerance,
-        maxSteps);
+    return with(to -> to.collision = model);
   }
 
   /** A copy with a given relaxation time. */
   public FlowOptions withRelaxationTime(double tau) {
-    return new FlowOptions(
-        axis,
-        velocitySet,
-        collision,
-        OptionalDouble.of(tau),
-        sides,
-        inlet,
-        inletLayers,
-        approach,
-        tolerance,
-        maxSteps);
+    return with(to -> to.relaxationTime = OptionalDouble.of(tau));
   }
 
   /** A copy with other boundaries. */
   public FlowOptions withBoundaries(Sides atSides, Inlet atEnds) {
-    return new FlowOptions(
-        axis,
-        velocitySet,
-        collision,
-        relaxationTime,
-        atSides,
-        atEnds,
-        inletLayers,
-        approach,
-        tolerance,
-        maxSteps);
+    return with(
+        to -> {
+          to.sides = atSides;
+          to.inlet = atEnds;
+        });
   }
 
   /** A copy with another thickness of the slabs. */
   public FlowOptions withInletLayers(int layers) {
-    return new FlowOptions(
-        axis,
-        velocitySet,
-        collision,
-        relaxationTime,
-        sides,
-        inlet,
-        OptionalInt.of(layers),
-        approach,
-        tolerance,
-        maxSteps);
+    return with(to -> to.inletLayers = OptionalInt.of(layers));
   }
 
   /** A copy with another way to the steady state. */
   public FlowOptions withApproach(Approach way) {
-    return new FlowOptions(
-        axis,
-        velocitySet,
-        collision,
-        relaxationTime,
-        sides,
-        inlet,
-        inletLayers,
-        way,
-        tolerance,
-        maxSteps);
+    return with(to -> to.approach = way);
   }
 
   /** A copy with another tolerance. */
   public FlowOptions withTolerance(double relativeError) {
-    return new FlowOptions(
-        axis,
-        velocitySet,
-        collision,
-        relaxationTime,
-        sides,
-        inlet,
-        inletLayers,
-        approach,
-        relativeError,
-        maxSteps);
+    return with(to -> to.tolerance = relativeError);
   }
 
   /** A copy with another limit of steps. */
   public FlowOptions withMaxSteps(long steps) {
-    return new FlowOptions(
-        axis,
-        velocitySet,
-        collision,
-        relaxationTime,
-        sides,
-        inlet,
-        inletLayers,
-        approach,
-        tolerance,
-        steps);
+    return with(to -> to.maxSteps = steps);
   }
 }

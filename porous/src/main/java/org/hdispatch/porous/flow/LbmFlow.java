@@ -88,7 +88,7 @@ public final class LbmFlow {
     FlowDomain domain = new FlowDomain(solid.below(1), solid, options);
     long nodes = domain.rockNodes() + 2 * domain.slabVoxels();
     long coveredNodes = domain.rockNodes() - (domain.voxels() - solid.coveredVoxels());
-    long perNode = options.velocitySet().size() * Double.BYTES * 7L / 6 + Integer.BYTES;
+    long perNode = populationBytes(options) + linkBytes(options) / 3 + Integer.BYTES;
     long perCovered = 2 * Integer.BYTES + 4 * Double.BYTES;
     long perVoxel = 2 * Float.BYTES + 1 + 4 * Float.BYTES;
     return nodes * perNode + coveredNodes * perCovered + domain.voxels() * perVoxel;
@@ -102,14 +102,22 @@ public final class LbmFlow {
    * @throws IllegalArgumentException if fluid is nowhere held back by a wall
    */
   public static long estimatedBytes(PoreSpace space, FlowOptions options) {
-    int velocities = options.velocitySet().size();
     long slabs = 2L * new FlowDomain(space, options).slabVoxels();
-    long perNode = 3L * velocities * Double.BYTES / 2;
+    long perNode = populationBytes(options) + linkBytes(options);
     long perVoxel = 2 * Integer.BYTES + 2 + 4 * Float.BYTES;
     if (options.approach() == Approach.CORRECTED) {
       perNode += PressureSolver.BYTES_PER_NODE;
       perVoxel += PressureSolver.BYTES_PER_VOXEL;
     }
     return (space.poreVoxels() + slabs) * perNode + (space.voxels() + slabs) * perVoxel;
+  }
+
+  private static long populationBytes(FlowOptions options) {
+    return (long) options.velocitySet().size() * options.storage().bytes();
+  }
+
+  /** Of a node in rock: 4 a velocity. */
+  private static long linkBytes(FlowOptions options) {
+    return (long) options.velocitySet().size() * Integer.BYTES;
   }
 }

@@ -70,6 +70,7 @@ final class SteadyLbmRun implements Stepping.Flow {
     LbmSchemeBuilder builder =
         LbmScheme.on(domain.lattice())
             .velocitySet(options.velocitySet())
+            .storage(options.storage())
             .relaxation(relaxation)
             .equilibrium(Equilibrium.LINEAR)
             .force(along(options.axis(), force));
