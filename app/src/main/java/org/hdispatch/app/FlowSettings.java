@@ -60,7 +60,7 @@ final class FlowSettings {
       completionCandidates = Choices.OfStorage.class,
       description =
           "Precision of the populations: ${COMPLETION-CANDIDATES}. Single takes half their memory;"
-              + " k differs by about 1e-5 of itself.")
+              + " k differs by some 1e-5 of itself.")
   private Storage storage;
 
   @Option(
