@@ -68,9 +68,12 @@ final class CollectorBeans {
               collector(),
               GcReport.Source.BEANS,
               to[COLLECTIONS] - from[COLLECTIONS],
-              new GcReport.Stops(to[PAUSES] - from[PAUSES], total, total),
+              new GcReport.Stops(to[PAUSES] - from[PAUSES], total, total, total),
               GcReport.Stops.NOT_MEASURED,
-              GcReport.Stops.NOT_MEASURED));
+              GcReport.Stops.NOT_MEASURED,
+              Duration.ZERO,
+              List.of(),
+              -1));
     }
     return List.copyOf(reports);
   }

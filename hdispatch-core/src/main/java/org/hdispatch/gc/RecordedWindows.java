@@ -22,13 +22,16 @@ final class RecordedWindows {
       List.of(
           "jdk.GarbageCollection",
           "jdk.GCPhasePause",
+          "jdk.GCHeapSummary",
           "jdk.SafepointBegin",
+          "jdk.SafepointStateSynchronization",
           "jdk.SafepointEnd",
           "jdk.ZAllocationStall");
 
   private final List<Instant> edges = new ArrayList<>();
   private final List<RecordedEvent> events = new ArrayList<>();
-  private final Map<Long, Instant> safepointEnds = new HashMap<>();
+  private final Map<Long, Instant> safepointEnds = new HashMap<>(); // by id of the safepoint
+  private final Map<Long, Instant> reached = new HashMap<>(); // all threads have stopped
 
   private RecordedWindows() {}
 
@@ -51,6 +54,8 @@ final class RecordedWindows {
       }
       case "jdk.SafepointEnd" ->
           safepointEnds.put(event.getLong("safepointId"), event.getEndTime());
+      case "jdk.SafepointStateSynchronization" ->
+          reached.put(event.getLong("safepointId"), event.getEndTime());
       default -> {
         if (EVENTS.contains(event.getEventType().getName())) { // another recording may ask for more
           events.add(event);
@@ -70,9 +75,11 @@ final class RecordedWindows {
 
   private GcReport report(String collector, Instant from, Instant to) {
     Set<Integer> collections = new HashSet<>(); // by id: one collection may report more than once
-    GcReport.Stops pauses = GcReport.Stops.NONE;
-    GcReport.Stops safepoints = GcReport.Stops.NONE;
-    GcReport.Stops stalls = GcReport.Stops.NONE;
+    List<GcReport.Pause> pauses = new ArrayList<>();
+    List<Duration> safepoints = new ArrayList<>();
+    List<Duration> stalls = new ArrayList<>();
+    Duration reaching = Duration.ZERO;
+    long peak = -1;
     for (RecordedEvent event : events) {
       Instant begin = event.getStartTime();
       if (begin.isBefore(from) || !begin.isBefore(to)) {
@@ -80,19 +87,35 @@ final class RecordedWindows {
       }
       switch (event.getEventType().getName()) {
         case "jdk.GarbageCollection" -> collections.add(event.getInt("gcId"));
-        case "jdk.GCPhasePause" -> pauses = pauses.plus(event.getDuration());
-        case "jdk.SafepointBegin" -> safepoints = safepoints.plus(stopped(event));
-        case "jdk.ZAllocationStall" -> stalls = stalls.plus(event.getDuration());
+        case "jdk.GCPhasePause" ->
+            pauses.add(
+                new GcReport.Pause(
+                    Duration.between(from, begin), event.getDuration(), event.getString("name")));
+        case "jdk.GCHeapSummary" -> peak = Math.max(peak, event.getLong("heapUsed"));
+        case "jdk.SafepointBegin" -> {
+          safepoints.add(until(safepointEnds, event));
+          reaching = reaching.plus(until(reached, event));
+        }
+        case "jdk.ZAllocationStall" -> stalls.add(event.getDuration());
         default -> {}
       }
     }
+    pauses.sort(Comparator.comparing(GcReport.Pause::at));
     return new GcReport(
-        collector, GcReport.Source.FLIGHT_RECORDER, collections.size(), pauses, safepoints, stalls);
+        collector,
+        GcReport.Source.FLIGHT_RECORDER,
+        collections.size(),
+        GcReport.Stops.of(pauses.stream().map(GcReport.Pause::length).toList()),
+        GcReport.Stops.of(safepoints),
+        GcReport.Stops.of(stalls),
+        reaching,
+        pauses,
+        peak);
   }
 
-  /** From the request until the threads ran again. */
-  private Duration stopped(RecordedEvent begin) {
-    Instant end = safepointEnds.getOrDefault(begin.getLong("safepointId"), begin.getEndTime());
-    return Duration.between(begin.getStartTime(), end);
+  /** From the request for a safepoint until an instant of it. */
+  private static Duration until(Map<Long, Instant> instants, RecordedEvent begin) {
+    Instant instant = instants.getOrDefault(begin.getLong("safepointId"), begin.getEndTime());
+    return Duration.between(begin.getStartTime(), instant);
   }
 }

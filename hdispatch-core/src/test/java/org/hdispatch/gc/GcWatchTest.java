@@ -90,6 +90,44 @@ class GcWatchTest {
   }
 
   @Test
+  void timelineHoldsThePausesInTheirOrder() {
+    try (GcWatch watch = GcWatch.start()) {
+      compute();
+      watch.mark();
+      System.gc();
+      System.gc();
+      GcReport report = watch.stop().get(1);
+      assertEquals(report.pauses().count(), report.timeline().size());
+      Duration before = Duration.ZERO;
+      Duration total = Duration.ZERO;
+      for (GcReport.Pause pause : report.timeline()) {
+        assertTrue(pause.at().compareTo(before) > 0, report::toString);
+        assertFalse(pause.name().isBlank());
+        before = pause.at();
+        total = total.plus(pause.length());
+      }
+      assertEquals(report.pauses().total(), total);
+      assertTrue(isPositive(report.reaching()));
+      assertTrue(report.safepoints().total().compareTo(report.reaching()) > 0);
+      assertTrue(report.peakHeapBytes() > 0);
+    }
+  }
+
+  @Test
+  void p99IsTheLeastThatNinetyNineOfAHundredDoNotExceed() {
+    List<Duration> lengths = new ArrayList<>();
+    for (int n = 200; n >= 1; n--) {
+      lengths.add(Duration.ofNanos(n));
+    }
+    GcReport.Stops stops = GcReport.Stops.of(lengths);
+    assertEquals(
+        new GcReport.Stops(
+            200, Duration.ofNanos(20_100), Duration.ofNanos(198), Duration.ofNanos(200)),
+        stops);
+    assertEquals(Duration.ofNanos(7), GcReport.Stops.of(List.of(Duration.ofNanos(7))).p99());
+  }
+
+  @Test
   void beansCountTheSameForcedCollections() {
     List<long[]> readings = new ArrayList<>();
     readings.add(CollectorBeans.read());
