@@ -127,6 +127,8 @@ project(":app") {
         "implementation"(project(":porous"))
         "implementation"(project(":sph"))
         "implementation"(lib("picocli"))
+        "implementation"(lib("HdrHistogram"))
+        "implementation"(lib("jackson-jr-objects"))
         "runtimeOnly"(project(":lbm-vector"))
         "runtimeOnly"(project(":sph-vector"))
         "runtimeOnly"(lib("slf4j-nop"))

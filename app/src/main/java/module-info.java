@@ -1,11 +1,16 @@
 /** The command line: inspect a rock image, compute its permeability, measure this machine. */
 module org.hdispatch.app {
+  requires HdrHistogram;
+  requires com.fasterxml.jackson.jr.ob;
   requires info.picocli;
   requires java.desktop;
+  requires java.management;
+  requires jdk.management;
   requires org.hdispatch.porous;
   requires org.hdispatch.sph;
 
   exports org.hdispatch.app;
+  exports org.hdispatch.app.study;
 
   opens org.hdispatch.app to
       info.picocli;

@@ -33,6 +33,7 @@ class ArchitectureTest {
   private static final String POROUS = "org.hdispatch.porous..";
   private static final String IO = "org.hdispatch.porous.io..";
   private static final String APP = "org.hdispatch.app..";
+  private static final String STUDY = "org.hdispatch.app.study..";
 
   private static final JavaClasses CODE =
       new ClassFileImporter()
@@ -131,6 +132,8 @@ class ArchitectureTest {
     onlyIn(APP, "picocli..");
     onlyIn(APP, "java.awt..");
     onlyIn(APP, "javax.imageio..");
+    onlyIn(STUDY, "com.fasterxml..");
+    onlyIn(STUDY, "org.HdrHistogram..");
     noClasses().should().dependOnClassesThat().resideInAPackage("org.slf4j..").check(CODE);
   }
 
@@ -147,7 +150,8 @@ class ArchitectureTest {
   /**
    * All concurrency lives in dispatch (and gc, which reads other threads' counters). {@link
    * CancellationException} is how a run that ended early shows itself, {@link Callable} how picocli
-   * calls a command; {@link Interruption} is the hook of Ctrl-C.
+   * calls a command; {@link Interruption} is the hook of Ctrl-C. What enduring threads are compared
+   * with, the executors of the JDK, is in the study of garbage collection.
    */
   @Test
   void concurrencyLivesInTheDispatcher() {
@@ -157,14 +161,16 @@ class ArchitectureTest {
             c -> c.isEquivalentTo(CancellationException.class) || c.isEquivalentTo(Callable.class));
     DescribedPredicate<JavaClass> elsewhere =
         DescribedPredicate.not(resideInAnyPackage(DISPATCH, GC));
+    DescribedPredicate<JavaClass> noStudy =
+        elsewhere.and(DescribedPredicate.not(resideInAPackage(STUDY)));
     noClasses()
-        .that(are(elsewhere))
+        .that(are(noStudy))
         .should()
         .dependOnClassesThat(
             resideInAPackage("java.util.concurrent..").and(DescribedPredicate.not(harmless)))
         .check(CODE);
     noClasses()
-        .that(are(elsewhere))
+        .that(are(noStudy))
         .and()
         .doNotBelongToAnyOf(Interruption.class, Faults.class) // Faults asks: interrupted?
         .should()

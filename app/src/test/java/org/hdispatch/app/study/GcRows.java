@@ -4,19 +4,19 @@ import java.util.List;
 import java.util.Optional;
 
 /** Rows as a study makes them, for tests. */
-final class GcRows {
+public final class GcRows {
   private GcRows() {}
 
-  static GcCase run(Collector collector, ScratchPolicy policy, double heapFactor) {
+  public static GcCase run(Collector collector, ScratchPolicy policy, double heapFactor) {
     return new GcCase("17.0.15", collector, policy, Workload.COMPUTE, 1 << 16, heapFactor);
   }
 
-  static GcRow died(GcCase run, String why) {
+  public static GcRow died(GcCase run, String why) {
     return new GcRow(run, why, Optional.empty());
   }
 
   /** A run of 100 steps and these processor times. */
-  static GcRow row(GcCase run, double workerCpuSeconds, double otherCpuSeconds) {
+  public static GcRow row(GcCase run, double workerCpuSeconds, double otherCpuSeconds) {
     GcFigures.Stops pauses = new GcFigures.Stops(2, 3.25, 2, 2);
     GcFigures.Stops stopped = new GcFigures.Stops(3, 4.5, 2.5, 2.5);
     GcFigures.Stops stalls = new GcFigures.Stops(0, 0, 0, 0);

@@ -1,0 +1,208 @@
+package org.hdispatch.app;
+
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.concurrent.Callable;
+import org.hdispatch.app.study.GcRow;
+import org.hdispatch.app.study.GcStudy;
+import org.hdispatch.app.study.Jdk;
+import org.hdispatch.app.study.RowFiles;
+import org.hdispatch.app.study.StudyScope;
+import org.hdispatch.porous.io.ImageFileException;
+import picocli.CommandLine.ArgGroup;
+import picocli.CommandLine.Command;
+import picocli.CommandLine.Mixin;
+import picocli.CommandLine.Model.CommandSpec;
+import picocli.CommandLine.Option;
+import picocli.CommandLine.Spec;
+
+/** {@code hdispatch gc-study}: what enduring scratch is worth, on every collector. */
+@Command(
+    name = "gc-study",
+    description = {
+      "Compare scratch kept by enduring threads with scratch made for every step or cell, borrowed,"
+          + " or thread-local, on every collector of every Java installed: a JVM for each run, a few"
+          + " seconds each. Use the machine for nothing else meanwhile.",
+      "Runs that are in the folder already are not run again, so a study that was ended goes on"
+          + " where it was."
+    })
+final class GcStudyCommand implements Callable<Integer> {
+  private static final String NAME = "gc-study";
+  private static final int MOST_THREADS = 4096;
+  private static final double MOST_SECONDS = 600;
+  private static final double QUICK_SECONDS = 0.7;
+  private static final double USUAL_SECONDS = 1.6;
+
+  private final Host host;
+
+  @Option(
+      names = "--jdk",
+      paramLabel = "PATH",
+      arity = "1..*",
+      description =
+          "Homes of the Java installations to study, 17 or newer. Default: the running one, and"
+              + " those in JAVA_HOME, /usr/lib/jvm, ~/.sdkman and /Library/Java, each version"
+              + " once.")
+  private List<Path> homes;
+
+  /** How much is run. */
+  static final class Scope {
+    @Option(
+        names = "--quick",
+        description =
+            "Less than 3 minutes with two Javas: enduring scratch and scratch made for every cell"
+                + " alone.")
+    private boolean quick;
+
+    @Option(
+        names = "--full",
+        description = "Everything: policies, collectors, heaps, sizes, workloads; hours.")
+    private boolean full;
+  }
+
+  @ArgGroup private Scope scope = new Scope();
+
+  @Option(
+      names = "--report-only",
+      paramLabel = "DIR",
+      description = "Run nothing, but report what is in this folder. Default: none.")
+  private Path reported;
+
+  @Option(
+      names = "--output",
+      paramLabel = "DIR",
+      defaultValue = NAME,
+      description = "Folder for the runs and the report, made if missing.")
+  private Path output;
+
+  @Option(
+      names = "--threads",
+      paramLabel = "N",
+      defaultValue = "2",
+      description = "Threads that step (1 to 4096).")
+  private int threads;
+
+  @Option(
+      names = "--seconds",
+      paramLabel = "S",
+      description = "Length of each measurement, after warm-up. Default: 1.6, with --quick 0.7.")
+  private Double seconds;
+
+  @Option(names = "--quiet", description = "No progress on standard error.")
+  private boolean quiet;
+
+  @Mixin private final StandardOptions standard = new StandardOptions();
+  @Spec private CommandSpec spec;
+
+  GcStudyCommand(Host host) {
+    this.host = host;
+  }
+
+  @Override
+  public Integer call() throws ImageFileException {
+    check();
+    if (reported != null) {
+      if (!Files.isDirectory(reported)) {
+        throw new ImageFileException("folder of a study must exist: folder=" + reported);
+      }
+      try (OutputFolder folder = OutputFolder.open(reported)) {
+        report(reported, folder);
+      }
+      return ExitCode.DONE.code();
+    }
+    List<Jdk> jdks = jdks();
+    try (OutputFolder folder = OutputFolder.open(output)) {
+      run(jdks);
+      report(output, folder);
+    }
+    return ExitCode.DONE.code();
+  }
+
+  private void check() {
+    if (threads < 1 || threads > MOST_THREADS) {
+      throw new UsageException("threads must number 1 to " + MOST_THREADS + ": threads=" + threads);
+    }
+    if (seconds != null && !(seconds > 0 && seconds <= MOST_SECONDS)) {
+      throw new UsageException(
+          "seconds must lie between 0 and " + MOST_SECONDS + ": seconds=" + seconds);
+    }
+    if (output.toString().isEmpty()) {
+      throw new UsageException("--output must name a folder: --output=");
+    }
+    if (reported != null) {
+      for (String each :
+          List.of("--jdk", "--quick", "--full", "--output", "--threads", "--seconds")) {
+        if (spec.commandLine().getParseResult().hasMatchedOption(each)) {
+          throw new UsageException(each + " must come without --report-only");
+        }
+      }
+    }
+  }
+
+  private List<Jdk> jdks() {
+    if (homes == null) {
+      return Jdk.found(System.getenv(), Path.of(System.getProperty("user.home")));
+    }
+    Map<String, Jdk> byVersion = new LinkedHashMap<>();
+    for (Path home : homes) {
+      Jdk jdk =
+          Jdk.at(home)
+              .orElseThrow(
+                  () -> new UsageException("--jdk must be a home of Java 17 or newer: " + home));
+      byVersion.putIfAbsent(jdk.version(), jdk);
+    }
+    return new ArrayList<>(byVersion.values());
+  }
+
+  private void run(List<Jdk> jdks) throws ImageFileException {
+    StudyScope which =
+        scope.quick ? StudyScope.QUICK : scope.full ? StudyScope.FULL : StudyScope.USUAL;
+    double length = seconds != null ? seconds : scope.quick ? QUICK_SECONDS : USUAL_SECONDS;
+    long begin = System.nanoTime();
+    try (StatusLine status = new StatusLine(spec.commandLine().getErr())) {
+      new GcStudy(jdks, which, threads, length, output)
+          .run(
+              (what, number, of) -> {
+                if (host.terminal() && !quiet) {
+                  status.show("run " + number + " of " + of + left(begin, number, of) + what);
+                }
+              });
+    } catch (IOException e) {
+      throw new ImageFileException(e.getMessage(), e);
+    }
+  }
+
+  private static String left(long begin, int number, int of) {
+    if (number == 1) {
+      return "  ";
+    }
+    double each = 1e-9 * (System.nanoTime() - begin) / (number - 1);
+    long left = Math.round(each * (of - number + 1));
+    return String.format("  %d:%02d left  ", left / 60, left % 60);
+  }
+
+  private void report(Path from, OutputFolder folder) throws ImageFileException {
+    List<GcRow> rows;
+    String json;
+    try {
+      rows = new RowFiles(from).all();
+      json = RowFiles.json(rows);
+    } catch (IOException e) {
+      throw new ImageFileException(e.getMessage(), e);
+    }
+    if (rows.isEmpty()) {
+      throw new ImageFileException("folder must hold runs of a study: folder=" + from);
+    }
+    folder.write(NAME + ".csv", FlatRow.toCsv(GcStudyTable.rows(rows)));
+    folder.write(NAME + ".json", json);
+    spec.commandLine().getOut().print(GcStudyTable.text(rows));
+    if (spec.commandLine().getOut().checkError()) {
+      throw new ImageFileException("standard output must be writable");
+    }
+  }
+}
