@@ -76,7 +76,7 @@ public final class RowFiles {
   /**
    * Rows as text.
    *
-   * @throws IOException never, as memory does not fail so
+   * @throws IOException if they cannot be told as JSON
    */
   public static String json(List<GcRow> rows) throws IOException {
     return RecordJson.write(rows);

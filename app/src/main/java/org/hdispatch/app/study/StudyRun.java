@@ -2,6 +2,7 @@ package org.hdispatch.app.study;
 
 import com.sun.management.OperatingSystemMXBean;
 import java.io.IOException;
+import java.lang.management.CompilationMXBean;
 import java.lang.management.ManagementFactory;
 import java.lang.management.ThreadMXBean;
 import java.nio.file.Files;
@@ -19,8 +20,13 @@ import org.hdispatch.gc.GcWatch;
  * writes {@link GcFigures} to the file.
  */
 public final class StudyRun {
-  /** Of the warm-up, after the collection: for what is concurrent in it to come to an end. */
+  /** Share of the warm-up after the collection: for what is concurrent in it to end. */
   private static final double REST = 0.2;
+
+  /** While compilers took more than this of the last rest, it goes on, but not for ever. */
+  private static final long COMPILED_MILLIS = 10;
+
+  private static final int MOST_RESTS = 8;
 
   private static final double NANO = 1e-9;
   private static final double MILLI = 1e-6; // of a nanosecond
@@ -30,6 +36,7 @@ public final class StudyRun {
   private final long heapBytes;
   private final OperatingSystemMXBean process =
       (OperatingSystemMXBean) ManagementFactory.getOperatingSystemMXBean();
+  private final CompilationMXBean compilers = ManagementFactory.getCompilationMXBean();
   private final ThreadMXBean threads = ManagementFactory.getThreadMXBean();
 
   private StudyRun(Work<?, ?> work, int workers, long heapBytes) {
@@ -63,7 +70,13 @@ public final class StudyRun {
       step(stepper, (1 - REST) * warmUpSeconds, thrownAway);
       System.gc();
       System.gc(); // what the first has found to be finished is gone now
-      step(stepper, REST * warmUpSeconds, thrownAway);
+      long compiled;
+      int rests = 0;
+      do {
+        compiled = compilers.getTotalCompilationTime();
+        step(stepper, REST * warmUpSeconds, thrownAway);
+        compiled = compilers.getTotalCompilationTime() - compiled;
+      } while (compiled > COMPILED_MILLIS && ++rests < MOST_RESTS);
       return window(watch, stepper, seconds);
     }
   }

@@ -26,10 +26,10 @@ import org.hdispatch.sph.cases.PeriodicShear;
  * @param <S> type of the scratch
  */
 record Work<C, S>(Scheme<C, S> scheme, LongSupplier checksum) {
-  /** Nodes along an edge of the rock, in 500 bundles of at most 16 x 8 x 8. */
-  private static final int ROCK = 80;
+  /** Nodes along an edge of the rock, in 405 bundles of at most 16 x 8 x 8. */
+  private static final int ROCK = 72;
 
-  private static final double POROSITY = 0.5;
+  private static final double POROSITY = 0.6;
   private static final double SPHERE_RADIUS = 9;
   private static final double FORCE = 1e-6;
 
