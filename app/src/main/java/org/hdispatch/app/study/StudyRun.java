@@ -26,7 +26,7 @@ public final class StudyRun {
   /** While compilers took more than this of the last rest, it goes on, but not for ever. */
   private static final long COMPILED_MILLIS = 10;
 
-  private static final int MOST_RESTS = 8;
+  private static final int MOST_RESTS = 3;
 
   private static final double NANO = 1e-9;
   private static final double MILLI = 1e-6; // of a nanosecond
