@@ -68,7 +68,8 @@ final class ForcePass implements CellKernel<ParticleCell, SphScratch> {
       found = System.nanoTime();
     }
     scratch.makeRoom(cell.count);
-    scratch.sums.force(scratch.near, list, scratch.forceX, scratch.forceY, scratch.forceZ);
+    scratch.sums.force(
+        scratch.near, list, scratch.forceX, scratch.forceY, scratch.forceZ, scratch.share);
     if (scratch.pairs != null) {
       cell.makeVirialRoom();
       scratch.pairs.add(
@@ -123,9 +124,10 @@ final class ForcePass implements CellKernel<ParticleCell, SphScratch> {
     double farthest = grid.leastEdge() / dt;
     for (int n = 0; n < cell.fluids; n++) {
       double inverseMass = 1 / phases[at.phase[n]].mass();
-      double ax = Math.fma(scratch.forceX[n], inverseMass, plan.gx);
-      double ay = Math.fma(scratch.forceY[n], inverseMass, plan.gy);
-      double az = Math.fma(scratch.forceZ[n], inverseMass, plan.gz);
+      double share = scratch.share[n];
+      double ax = share * Math.fma(scratch.forceX[n], inverseMass, plan.gx);
+      double ay = share * Math.fma(scratch.forceY[n], inverseMass, plan.gy);
+      double az = share * Math.fma(scratch.forceZ[n], inverseMass, plan.gz);
       double vx = Math.fma(ax, kick, at.vx[n]);
       double vy = Math.fma(ay, kick, at.vy[n]);
       double vz = Math.fma(az, kick, at.vz[n]);

@@ -33,22 +33,30 @@ public interface PairSums {
   void density(Neighbourhood near, NeighbourList list, double[] density);
 
   /**
-   * Force on each fluid particle by pressure and viscosity,
+   * Force on each fluid particle by pressure and, over the share s_i of {@link PairModel#share}, by
+   * viscosity,
    *
    * <pre>
-   * f_i = sum_j [ m_ij b_ij (v_i - v_j)/(n_i n_j) - (P_i/n_i^2 + P_j/n_j^2) (r_i - r_j) ] (dW/dr)/r
+   * f_i = sum_j [ m_ij b_ij (v_i - v_j)/(n_i n_j s_i) - (P_i/n_i^2 + P_j/n_j^2) (r_i - r_j) ]
+   *     (dW/dr)/r
    * </pre>
+   *
+   * <p>so that, with all other forces g_i per mass, the particle is accelerated by s_i (f_i/m_i +
+   * g_i).
    *
    * <p>with m_ij = mu_i + mu_j or 4/(1/mu_i + 1/mu_j) (Tartakovsky, Meakin 2005; Hu, Adams 2006;
    * Morris et al. 1997). At a wall the velocity is carried on into the solid, so that it vanishes
    * on the surface: b_ij = min(beta_max, 1 + d_j/d_i), d_i being the distance of the fluid particle
-   * from the wall and d_j the depth of the solid one; elsewhere it is 1.
+   * from the wall and d_j the depth of the solid one; elsewhere it is 1. The share carries it on
+   * along a parabola.
    *
    * @param near all planes that the {@link PairModel} asks for
    * @param list the neighbours of the cell's own particles
    * @param x where the force along x goes, by own fluid particle
    * @param y where the force along y goes
    * @param z where the force along z goes
+   * @param share where s goes; it is 1 where there are no walls
    */
-  void force(Neighbourhood near, NeighbourList list, double[] x, double[] y, double[] z);
+  void force(
+      Neighbourhood near, NeighbourList list, double[] x, double[] y, double[] z, double[] share);
 }

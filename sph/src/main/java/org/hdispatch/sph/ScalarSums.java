@@ -23,6 +23,8 @@ final class ScalarSums implements PairSums {
   private double[] squares = new double[0];
   private double[] weights = new double[0]; // W, or (dW/dr)/r
   private double[] drag = new double[0];
+  private double[] push = new double[0]; // by pressure, where there are walls or several phases
+  private double[] bend = new double[0]; // of the velocity in walls
   private int[] picked = new int[0];
   private final double beyond; // square of a distance at which the kernel is 0, rounding and all
 
@@ -37,6 +39,8 @@ final class ScalarSums implements PairSums {
       squares = new double[most + most / 4];
       weights = new double[squares.length];
       drag = new double[squares.length];
+      push = new double[squares.length];
+      bend = new double[squares.length];
       picked = new int[squares.length];
     }
   }
@@ -157,19 +161,28 @@ final class ScalarSums implements PairSums {
   }
 
   @Override
-  public void force(Neighbourhood near, NeighbourList list, double[] x, double[] y, double[] z) {
+  public void force(
+      Neighbourhood near, NeighbourList list, double[] x, double[] y, double[] z, double[] share) {
     makeRoom(near.quads() * LANES);
     for (int i = 0; i < near.ownFluids(); i++) {
       int count = pick(near, i, list);
       kernel.slopes(squares, weights, count);
       if (model.uniform()) {
         uniformDrag(near, i, count);
-      } else if (model.mean() == ViscosityMean.ARITHMETIC) {
+        sum(near, i, count, x, y, z);
+        share[i] = 1;
+        continue;
+      }
+      if (model.mean() == ViscosityMean.ARITHMETIC) {
         arithmeticDrag(near, i, count);
       } else {
         harmonicDrag(near, i, count);
       }
-      sum(near, i, count, x, y, z);
+      setPush(near, i, count);
+      share[i] = share(near, i, count);
+      x[i] = sum(near, i, count, X, UX, share[i]);
+      y[i] = sum(near, i, count, Y, UY, share[i]);
+      z[i] = sum(near, i, count, Z, UZ, share[i]);
     }
   }
 
@@ -194,10 +207,11 @@ final class ScalarSums implements PairSums {
     double most = model.wallFactor();
     for (int k = 0; k < count; k++) {
       int n = picked[k];
-      double wall = Math.fma(values[depth + n], nearness, 1);
-      wall = wall > most ? most : wall;
-      double pair = (mu + values[viscosity + n]) * wall;
-      drag[k] = own * values[volume + n] * weights[k] * pair;
+      double free = Math.fma(values[depth + n], nearness, 1);
+      double wall = free > most ? most : free;
+      double pair = own * values[volume + n] * weights[k] * (mu + values[viscosity + n]);
+      drag[k] = pair * wall;
+      bend[k] = pair * free * (free - 1);
     }
   }
 
@@ -213,14 +227,74 @@ final class ScalarSums implements PairSums {
     double most = model.wallFactor();
     for (int k = 0; k < count; k++) {
       int n = picked[k];
-      double wall = Math.fma(values[depth + n], nearness, 1);
-      wall = wall > most ? most : wall;
-      double pair = 4 / (fluidity + values[viscosity + n]) * wall;
-      drag[k] = own * values[volume + n] * weights[k] * pair;
+      double free = Math.fma(values[depth + n], nearness, 1);
+      double wall = free > most ? most : free;
+      double pair =
+          own * values[volume + n] * weights[k] * (4 / (fluidity + values[viscosity + n]));
+      drag[k] = pair * wall;
+      bend[k] = pair * free * (free - 1);
     }
   }
 
-  /** Adds up the forces of all neighbours: four partial sums for each direction. */
+  private void setPush(Neighbourhood near, int i, int count) {
+    double[] values = near.values();
+    int pressure = PRESSURE * near.stride();
+    double own = values[pressure + near.own() + i];
+    for (int k = 0; k < count; k++) {
+      push[k] = -(own + values[pressure + picked[k]]) * weights[k];
+    }
+  }
+
+  private double share(Neighbourhood near, int i, int count) {
+    double s0 = 0;
+    double s1 = 0;
+    double s2 = 0;
+    double s3 = 0;
+    for (int k = 0; k < count; k += LANES) {
+      s0 += bend[k];
+      s1 += bend[k + 1];
+      s2 += bend[k + 2];
+      s3 += bend[k + 3];
+    }
+    double sum = kernel.slopeFactor() * ((s0 + s1) + (s2 + s3));
+    double[] values = near.values();
+    int particle = near.own() + i;
+    return model.share(
+        sum,
+        near.nearness()[i],
+        values[VOLUME * near.stride() + particle],
+        values[VISCOSITY * near.stride() + particle]);
+  }
+
+  /** Force in one direction by pressure, and by viscosity over a share. */
+  private double sum(Neighbourhood near, int i, int count, int place, int speed, double share) {
+    double pushed = differences(near, i, count, place, push);
+    double dragged = differences(near, i, count, speed, drag);
+    return kernel.slopeFactor() * (pushed + dragged / share);
+  }
+
+  /** Sum of a weight times how much less a quantity is at a neighbour than at the particle. */
+  private double differences(Neighbourhood near, int i, int count, int plane, double[] weight) {
+    double[] v = near.values();
+    int at = plane * near.stride();
+    double own = v[at + near.own() + i];
+    double s0 = 0;
+    double s1 = 0;
+    double s2 = 0;
+    double s3 = 0;
+    for (int k = 0; k < count; k += LANES) {
+      s0 = Math.fma(own - v[at + picked[k]], weight[k], s0);
+      s1 = Math.fma(own - v[at + picked[k + 1]], weight[k + 1], s1);
+      s2 = Math.fma(own - v[at + picked[k + 2]], weight[k + 2], s2);
+      s3 = Math.fma(own - v[at + picked[k + 3]], weight[k + 3], s3);
+    }
+    return (s0 + s1) + (s2 + s3);
+  }
+
+  /**
+   * Adds up the forces of all neighbours where viscosity is the same for all: four partial sums for
+   * each direction.
+   */
   private void sum(Neighbourhood near, int i, int count, double[] x, double[] y, double[] z) {
     double[] v = near.values();
     double[] slopes = weights;

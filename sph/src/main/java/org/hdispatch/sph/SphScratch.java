@@ -12,6 +12,7 @@ public final class SphScratch {
   double[] forceX = new double[0];
   double[] forceY = new double[0];
   double[] forceZ = new double[0];
+  double[] share = new double[0]; // of the acceleration, that walls leave
   final double[] acceleration = new double[3];
 
   // particles picked for a cell: slot and index of each, and the bin it goes to
@@ -34,6 +35,7 @@ public final class SphScratch {
       forceX = new double[room];
       forceY = new double[room];
       forceZ = new double[room];
+      share = new double[room];
     }
   }
 

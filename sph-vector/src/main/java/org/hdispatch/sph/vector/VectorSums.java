@@ -1,6 +1,8 @@
 package org.hdispatch.sph.vector;
 
 import static org.hdispatch.sph.Neighbourhood.LANES;
+import static org.hdispatch.sph.Neighbourhood.VISCOSITY;
+import static org.hdispatch.sph.Neighbourhood.VOLUME;
 import static org.hdispatch.sph.Neighbourhood.Y;
 import static org.hdispatch.sph.Neighbourhood.Z;
 
@@ -43,8 +45,11 @@ abstract class VectorSums implements PairSums {
   /** A distance, in h, at and beyond which all kernels are 0. */
   static final double FAR = 3;
 
-  /** Sums of one particle: force along x, y and z. */
-  final double[] sums = new double[3];
+  /**
+   * Sums of one particle: force along x, y and z; where there are walls or several phases, that by
+   * pressure, then that by viscosity, then the bend of the velocity in walls.
+   */
+  final double[] sums = new double[7];
 
   private final PairModel model;
 
@@ -112,7 +117,7 @@ abstract class VectorSums implements PairSums {
 
   @Override
   public final void force(
-      Neighbourhood near, NeighbourList list, double[] x, double[] y, double[] z) {
+      Neighbourhood near, NeighbourList list, double[] x, double[] y, double[] z, double[] share) {
     double[] values = near.values();
     double[] nearness = near.nearness();
     int stride = near.stride();
@@ -127,14 +132,26 @@ abstract class VectorSums implements PairSums {
     for (int i = 0; i < near.ownFluids(); i++) {
       if (uniform) {
         uniform(values, stride, own + i, quads, first[i], first[i + 1], twice);
-      } else if (arithmetic) {
+        x[i] = factor * sums[0];
+        y[i] = factor * sums[1];
+        z[i] = factor * sums[2];
+        share[i] = 1;
+        continue;
+      }
+      if (arithmetic) {
         arithmetic(values, stride, own + i, quads, first[i], first[i + 1], nearness[i], most);
       } else {
         harmonic(values, stride, own + i, quads, first[i], first[i + 1], nearness[i], most);
       }
-      x[i] = factor * sums[0];
-      y[i] = factor * sums[1];
-      z[i] = factor * sums[2];
+      share[i] =
+          model.share(
+              factor * sums[6],
+              nearness[i],
+              values[VOLUME * stride + own + i],
+              values[VISCOSITY * stride + own + i]);
+      x[i] = factor * (sums[0] + sums[3] / share[i]);
+      y[i] = factor * (sums[1] + sums[4] / share[i]);
+      z[i] = factor * (sums[2] + sums[5] / share[i]);
     }
   }
 

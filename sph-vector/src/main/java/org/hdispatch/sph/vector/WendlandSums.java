@@ -153,6 +153,10 @@ final class WendlandSums extends VectorSums {
     DoubleVector sumX = DoubleVector.broadcast(QUAD, 0);
     DoubleVector sumY = DoubleVector.broadcast(QUAD, 0);
     DoubleVector sumZ = DoubleVector.broadcast(QUAD, 0);
+    DoubleVector dragX = DoubleVector.broadcast(QUAD, 0);
+    DoubleVector dragY = DoubleVector.broadcast(QUAD, 0);
+    DoubleVector dragZ = DoubleVector.broadcast(QUAD, 0);
+    DoubleVector bend = DoubleVector.broadcast(QUAD, 0);
     DoubleVector dx = DoubleVector.broadcast(QUAD, 0);
     DoubleVector dy = DoubleVector.broadcast(QUAD, 0);
     DoubleVector dz = DoubleVector.broadcast(QUAD, 0);
@@ -168,13 +172,17 @@ final class WendlandSums extends VectorSums {
       DoubleVector free = depth.fma(near, DoubleVector.broadcast(QUAD, 1));
       DoubleVector wall = free.blend(most, free.compare(VectorOperators.GT, most));
       DoubleVector mu = DoubleVector.fromArray(QUAD, v, viscosities + last).add(viscosity);
-      DoubleVector pair = mu.mul(wall);
-      DoubleVector drag = volume.mul(volumeJ).mul(slope).mul(pair);
+      DoubleVector pair = volume.mul(volumeJ).mul(slope).mul(mu);
+      DoubleVector drag = pair.mul(wall);
+      bend = bend.add(pair.mul(free).mul(free.sub(DoubleVector.broadcast(QUAD, 1))));
       DoubleVector pressureJ = DoubleVector.fromArray(QUAD, v, pressures + last);
       DoubleVector p = pressure.add(pressureJ).mul(slope);
-      sumX = ux.sub(DoubleVector.fromArray(QUAD, v, uxs + last)).fma(drag, dx.fma(p, sumX));
-      sumY = uy.sub(DoubleVector.fromArray(QUAD, v, uys + last)).fma(drag, dy.fma(p, sumY));
-      sumZ = uz.sub(DoubleVector.fromArray(QUAD, v, uzs + last)).fma(drag, dz.fma(p, sumZ));
+      sumX = dx.fma(p, sumX);
+      sumY = dy.fma(p, sumY);
+      sumZ = dz.fma(p, sumZ);
+      dragX = ux.sub(DoubleVector.fromArray(QUAD, v, uxs + last)).fma(drag, dragX);
+      dragY = uy.sub(DoubleVector.fromArray(QUAD, v, uys + last)).fma(drag, dragY);
+      dragZ = uz.sub(DoubleVector.fromArray(QUAD, v, uzs + last)).fma(drag, dragZ);
       dx = DoubleVector.fromArray(QUAD, v, n).sub(x);
       dy = DoubleVector.fromArray(QUAD, v, ys + n).sub(y);
       dz = DoubleVector.fromArray(QUAD, v, zs + n).sub(z);
@@ -189,16 +197,24 @@ final class WendlandSums extends VectorSums {
     DoubleVector free = depth.fma(near, DoubleVector.broadcast(QUAD, 1));
     DoubleVector wall = free.blend(most, free.compare(VectorOperators.GT, most));
     DoubleVector mu = DoubleVector.fromArray(QUAD, v, viscosities + last).add(viscosity);
-    DoubleVector pair = mu.mul(wall);
-    DoubleVector drag = volume.mul(volumeJ).mul(slope).mul(pair);
+    DoubleVector pair = volume.mul(volumeJ).mul(slope).mul(mu);
+    DoubleVector drag = pair.mul(wall);
+    bend = bend.add(pair.mul(free).mul(free.sub(DoubleVector.broadcast(QUAD, 1))));
     DoubleVector pressureJ = DoubleVector.fromArray(QUAD, v, pressures + last);
     DoubleVector p = pressure.add(pressureJ).mul(slope);
-    sumX = ux.sub(DoubleVector.fromArray(QUAD, v, uxs + last)).fma(drag, dx.fma(p, sumX));
-    sumY = uy.sub(DoubleVector.fromArray(QUAD, v, uys + last)).fma(drag, dy.fma(p, sumY));
-    sumZ = uz.sub(DoubleVector.fromArray(QUAD, v, uzs + last)).fma(drag, dz.fma(p, sumZ));
+    sumX = dx.fma(p, sumX);
+    sumY = dy.fma(p, sumY);
+    sumZ = dz.fma(p, sumZ);
+    dragX = ux.sub(DoubleVector.fromArray(QUAD, v, uxs + last)).fma(drag, dragX);
+    dragY = uy.sub(DoubleVector.fromArray(QUAD, v, uys + last)).fma(drag, dragY);
+    dragZ = uz.sub(DoubleVector.fromArray(QUAD, v, uzs + last)).fma(drag, dragZ);
     sums[0] = (sumX.lane(0) + sumX.lane(1)) + (sumX.lane(2) + sumX.lane(3));
     sums[1] = (sumY.lane(0) + sumY.lane(1)) + (sumY.lane(2) + sumY.lane(3));
     sums[2] = (sumZ.lane(0) + sumZ.lane(1)) + (sumZ.lane(2) + sumZ.lane(3));
+    sums[3] = (dragX.lane(0) + dragX.lane(1)) + (dragX.lane(2) + dragX.lane(3));
+    sums[4] = (dragY.lane(0) + dragY.lane(1)) + (dragY.lane(2) + dragY.lane(3));
+    sums[5] = (dragZ.lane(0) + dragZ.lane(1)) + (dragZ.lane(2) + dragZ.lane(3));
+    sums[6] = (bend.lane(0) + bend.lane(1)) + (bend.lane(2) + bend.lane(3));
   }
 
   @Override
@@ -236,6 +252,10 @@ final class WendlandSums extends VectorSums {
     DoubleVector sumX = DoubleVector.broadcast(QUAD, 0);
     DoubleVector sumY = DoubleVector.broadcast(QUAD, 0);
     DoubleVector sumZ = DoubleVector.broadcast(QUAD, 0);
+    DoubleVector dragX = DoubleVector.broadcast(QUAD, 0);
+    DoubleVector dragY = DoubleVector.broadcast(QUAD, 0);
+    DoubleVector dragZ = DoubleVector.broadcast(QUAD, 0);
+    DoubleVector bend = DoubleVector.broadcast(QUAD, 0);
     DoubleVector dx = DoubleVector.broadcast(QUAD, 0);
     DoubleVector dy = DoubleVector.broadcast(QUAD, 0);
     DoubleVector dz = DoubleVector.broadcast(QUAD, 0);
@@ -251,13 +271,18 @@ final class WendlandSums extends VectorSums {
       DoubleVector free = depth.fma(near, DoubleVector.broadcast(QUAD, 1));
       DoubleVector wall = free.blend(most, free.compare(VectorOperators.GT, most));
       DoubleVector mu = DoubleVector.fromArray(QUAD, v, viscosities + last).add(viscosity);
-      DoubleVector pair = DoubleVector.broadcast(QUAD, 4).div(mu).mul(wall);
-      DoubleVector drag = volume.mul(volumeJ).mul(slope).mul(pair);
+      DoubleVector pair =
+          volume.mul(volumeJ).mul(slope).mul(DoubleVector.broadcast(QUAD, 4).div(mu));
+      DoubleVector drag = pair.mul(wall);
+      bend = bend.add(pair.mul(free).mul(free.sub(DoubleVector.broadcast(QUAD, 1))));
       DoubleVector pressureJ = DoubleVector.fromArray(QUAD, v, pressures + last);
       DoubleVector p = pressure.add(pressureJ).mul(slope);
-      sumX = ux.sub(DoubleVector.fromArray(QUAD, v, uxs + last)).fma(drag, dx.fma(p, sumX));
-      sumY = uy.sub(DoubleVector.fromArray(QUAD, v, uys + last)).fma(drag, dy.fma(p, sumY));
-      sumZ = uz.sub(DoubleVector.fromArray(QUAD, v, uzs + last)).fma(drag, dz.fma(p, sumZ));
+      sumX = dx.fma(p, sumX);
+      sumY = dy.fma(p, sumY);
+      sumZ = dz.fma(p, sumZ);
+      dragX = ux.sub(DoubleVector.fromArray(QUAD, v, uxs + last)).fma(drag, dragX);
+      dragY = uy.sub(DoubleVector.fromArray(QUAD, v, uys + last)).fma(drag, dragY);
+      dragZ = uz.sub(DoubleVector.fromArray(QUAD, v, uzs + last)).fma(drag, dragZ);
       dx = DoubleVector.fromArray(QUAD, v, n).sub(x);
       dy = DoubleVector.fromArray(QUAD, v, ys + n).sub(y);
       dz = DoubleVector.fromArray(QUAD, v, zs + n).sub(z);
@@ -272,15 +297,23 @@ final class WendlandSums extends VectorSums {
     DoubleVector free = depth.fma(near, DoubleVector.broadcast(QUAD, 1));
     DoubleVector wall = free.blend(most, free.compare(VectorOperators.GT, most));
     DoubleVector mu = DoubleVector.fromArray(QUAD, v, viscosities + last).add(viscosity);
-    DoubleVector pair = DoubleVector.broadcast(QUAD, 4).div(mu).mul(wall);
-    DoubleVector drag = volume.mul(volumeJ).mul(slope).mul(pair);
+    DoubleVector pair = volume.mul(volumeJ).mul(slope).mul(DoubleVector.broadcast(QUAD, 4).div(mu));
+    DoubleVector drag = pair.mul(wall);
+    bend = bend.add(pair.mul(free).mul(free.sub(DoubleVector.broadcast(QUAD, 1))));
     DoubleVector pressureJ = DoubleVector.fromArray(QUAD, v, pressures + last);
     DoubleVector p = pressure.add(pressureJ).mul(slope);
-    sumX = ux.sub(DoubleVector.fromArray(QUAD, v, uxs + last)).fma(drag, dx.fma(p, sumX));
-    sumY = uy.sub(DoubleVector.fromArray(QUAD, v, uys + last)).fma(drag, dy.fma(p, sumY));
-    sumZ = uz.sub(DoubleVector.fromArray(QUAD, v, uzs + last)).fma(drag, dz.fma(p, sumZ));
+    sumX = dx.fma(p, sumX);
+    sumY = dy.fma(p, sumY);
+    sumZ = dz.fma(p, sumZ);
+    dragX = ux.sub(DoubleVector.fromArray(QUAD, v, uxs + last)).fma(drag, dragX);
+    dragY = uy.sub(DoubleVector.fromArray(QUAD, v, uys + last)).fma(drag, dragY);
+    dragZ = uz.sub(DoubleVector.fromArray(QUAD, v, uzs + last)).fma(drag, dragZ);
     sums[0] = (sumX.lane(0) + sumX.lane(1)) + (sumX.lane(2) + sumX.lane(3));
     sums[1] = (sumY.lane(0) + sumY.lane(1)) + (sumY.lane(2) + sumY.lane(3));
     sums[2] = (sumZ.lane(0) + sumZ.lane(1)) + (sumZ.lane(2) + sumZ.lane(3));
+    sums[3] = (dragX.lane(0) + dragX.lane(1)) + (dragX.lane(2) + dragX.lane(3));
+    sums[4] = (dragY.lane(0) + dragY.lane(1)) + (dragY.lane(2) + dragY.lane(3));
+    sums[5] = (dragZ.lane(0) + dragZ.lane(1)) + (dragZ.lane(2) + dragZ.lane(3));
+    sums[6] = (bend.lane(0) + bend.lane(1)) + (bend.lane(2) + bend.lane(3));
   }
 }

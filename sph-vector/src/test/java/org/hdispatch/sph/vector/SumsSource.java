@@ -144,7 +144,7 @@ enum SumsSource {
           DoubleVector sumX = constant(0);
           DoubleVector sumY = constant(0);
           DoubleVector sumZ = constant(0);
-          DoubleVector dx = constant(0);
+      SPLIT    DoubleVector dx = constant(0);
           DoubleVector dy = constant(0);
           DoubleVector dz = constant(0);
           DoubleVector q = constant(FAR);
@@ -160,28 +160,64 @@ enum SumsSource {
       STEP    sums[0] = (sumX.lane(0) + sumX.lane(1)) + (sumX.lane(2) + sumX.lane(3));
           sums[1] = (sumY.lane(0) + sumY.lane(1)) + (sumY.lane(2) + sumY.lane(3));
           sums[2] = (sumZ.lane(0) + sumZ.lane(1)) + (sumZ.lane(2) + sumZ.lane(3));
-        }
+      REST  }
       """;
 
   /** Adds what the last quad does to the sums. */
   private static final String STEP =
       """
       SLOPE    DoubleVector volumeJ = DoubleVector.fromArray(QUAD, v, volumes + last);
-      WALL    DoubleVector drag = volume.mul(volumeJ).mul(slope)PAIR;
-          DoubleVector pressureJ = DoubleVector.fromArray(QUAD, v, pressures + last);
+      DRAG    DoubleVector pressureJ = DoubleVector.fromArray(QUAD, v, pressures + last);
           DoubleVector p = pressure.add(pressureJ).mul(slope);
+      ADD""";
+
+  private static final String DRAG =
+      """
+          DoubleVector drag = volume.mul(volumeJ).mul(slope);
+      """;
+
+  private static final String ADD =
+      """
           sumX = ux.sub(DoubleVector.fromArray(QUAD, v, uxs + last)).fma(drag, dx.fma(p, sumX));
           sumY = uy.sub(DoubleVector.fromArray(QUAD, v, uys + last)).fma(drag, dy.fma(p, sumY));
           sumZ = uz.sub(DoubleVector.fromArray(QUAD, v, uzs + last)).fma(drag, dz.fma(p, sumZ));
       """;
 
-  private static final String WALL =
+  private static final String DRAG_AT_WALLS =
       """
           DoubleVector depth = DoubleVector.fromArray(QUAD, v, depths + last);
           DoubleVector free = depth.fma(near, constant(1));
           DoubleVector wall = free.blend(most, free.compare(VectorOperators.GT, most));
           DoubleVector mu = DoubleVector.fromArray(QUAD, v, viscosities + last).add(viscosity);
-          DoubleVector pair = PAIR.mul(wall);
+          DoubleVector pair = volume.mul(volumeJ).mul(slope).mul(PAIR);
+          DoubleVector drag = pair.mul(wall);
+          bend = bend.add(pair.mul(free).mul(free.sub(constant(1))));
+      """;
+
+  private static final String ADD_AT_WALLS =
+      """
+          sumX = dx.fma(p, sumX);
+          sumY = dy.fma(p, sumY);
+          sumZ = dz.fma(p, sumZ);
+          dragX = ux.sub(DoubleVector.fromArray(QUAD, v, uxs + last)).fma(drag, dragX);
+          dragY = uy.sub(DoubleVector.fromArray(QUAD, v, uys + last)).fma(drag, dragY);
+          dragZ = uz.sub(DoubleVector.fromArray(QUAD, v, uzs + last)).fma(drag, dragZ);
+      """;
+
+  private static final String SPLIT_AT_WALLS =
+      """
+          DoubleVector dragX = constant(0);
+          DoubleVector dragY = constant(0);
+          DoubleVector dragZ = constant(0);
+          DoubleVector bend = constant(0);
+      """;
+
+  private static final String REST_AT_WALLS =
+      """
+          sums[3] = (dragX.lane(0) + dragX.lane(1)) + (dragX.lane(2) + dragX.lane(3));
+          sums[4] = (dragY.lane(0) + dragY.lane(1)) + (dragY.lane(2) + dragY.lane(3));
+          sums[5] = (dragZ.lane(0) + dragZ.lane(1)) + (dragZ.lane(2) + dragZ.lane(3));
+          sums[6] = (bend.lane(0) + bend.lane(1)) + (bend.lane(2) + bend.lane(3));
       """;
 
   private final String kernel;
@@ -225,15 +261,19 @@ enum SumsSource {
   }
 
   private String uniform() {
-    return force("uniform", "", "", "twiceViscosity")
+    return force("uniform", DRAG, ADD, "twiceViscosity")
         .replace("PLANES", "")
+        .replace("SPLIT", "")
+        .replace("REST", "")
         .replace(
             "CONSTANTS",
             "    DoubleVector volume = constant(twiceViscosity * v[volumes + own]);\n");
   }
 
   private String walled(String name, String pair) {
-    return force(name, WALL.replace("PAIR", pair), ".mul(pair)", "nearness", "wallFactor")
+    return force(name, DRAG_AT_WALLS.replace("PAIR", pair), ADD_AT_WALLS, "nearness", "wallFactor")
+        .replace("SPLIT", SPLIT_AT_WALLS)
+        .replace("REST", REST_AT_WALLS)
         .replace(
             "PLANES",
             """
@@ -250,8 +290,8 @@ enum SumsSource {
             """);
   }
 
-  private String force(String name, String wall, String pair, String... last) {
-    String step = STEP.replace("SLOPE", common + slope).replace("WALL", wall).replace("PAIR", pair);
+  private String force(String name, String drag, String add, String... last) {
+    String step = STEP.replace("SLOPE", common + slope).replace("DRAG", drag).replace("ADD", add);
     return FORCE
         .replace("METHOD", name)
         .replace("PARAMETERS", parameters(last))

@@ -80,13 +80,13 @@ class VectorSumsTest {
             Arrays.copyOf(list.quads(), first[ownCount]),
             Arrays.copyOf(found.quads(), first[ownCount]),
             text);
-        double[][] expected = new double[4][ownCount];
+        double[][] expected = new double[5][ownCount];
         plain.density(near, list, expected[0]);
-        plain.force(near, list, expected[1], expected[2], expected[3]);
-        double[][] sums = new double[4][ownCount];
+        plain.force(near, list, expected[1], expected[2], expected[3], expected[4]);
+        double[][] sums = new double[5][ownCount];
         vectors.density(near, list, sums[0]);
-        vectors.force(near, list, sums[1], sums[2], sums[3]);
-        for (int n = 0; n < 4; n++) {
+        vectors.force(near, list, sums[1], sums[2], sums[3], sums[4]);
+        for (int n = 0; n < 5; n++) {
           assertArrayEquals(expected[n], sums[n], text); // bit by bit
         }
       }
@@ -121,11 +121,11 @@ class VectorSumsTest {
     Neighbourhood near = near(new Random(2006), model.kernel().dimensions(), 400, 190, own, own);
     PairSums vectors = SumForm.VECTOR.of(model).get();
     NeighbourList list = new NeighbourList();
-    double[][] sums = new double[4][own];
+    double[][] sums = new double[5][own];
     comesToAllocateNothing(() -> vectors.search(near, REACH, list), model + " search");
     comesToAllocateNothing(() -> vectors.density(near, list, sums[0]), model + " density");
     comesToAllocateNothing(
-        () -> vectors.force(near, list, sums[1], sums[2], sums[3]), model + " force");
+        () -> vectors.force(near, list, sums[1], sums[2], sums[3], sums[4]), model + " force");
   }
 
   private static void comesToAllocateNothing(Runnable work, String text) {
