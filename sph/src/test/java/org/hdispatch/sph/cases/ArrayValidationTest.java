@@ -28,17 +28,17 @@ class ArrayValidationTest {
     return flow.superficialVelocity(scheme);
   }
 
-  /** Mean velocity over the series': second order, four walls, two of them at each corner. */
+  /** Mean velocity over the series': four walls, two of them at each corner. */
   @ParameterizedTest
-  @CsvSource({"12, 0.035", "16, 0.019"})
-  void ductIsRightToSecondOrder(int across, double allowed) {
+  @CsvSource({"4, 0.012", "8, 0.008", "12, 0.004", "16, 0.003"})
+  void ductIsRightHoweverNarrow(int across, double allowed) {
     duct(across, allowed);
   }
 
   @Test
   @Tag("validation")
-  void ductIsRightToOnePercentAtTwenty() {
-    duct(20, 0.01); // found: 1.0098
+  void ductIsRightToThreePerMilleAtTwenty() {
+    duct(20, 0.003); // found: 0.9987
   }
 
   private static void duct(int across, double allowed) {
@@ -54,7 +54,7 @@ class ArrayValidationTest {
   @Tag("validation")
   void slowFlowPastCylindersIsRightToThreePercent() {
     CylinderArray flow = CylinderArray.morrisAtRe003(30);
-    assertEquals(1, velocity(flow, 33) / flow.superficialVelocity(), 0.03); // found: 1.022
+    assertEquals(1, velocity(flow, 33) / flow.superficialVelocity(), 0.03); // found: 1.014
   }
 
   @ParameterizedTest
@@ -69,7 +69,7 @@ class ArrayValidationTest {
   @Tag("validation")
   void slowFlowPastCylindersIsRightToOnePointFivePercentAtFifty() {
     CylinderArray flow = CylinderArray.morrisAtRe003(50);
-    assertEquals(1, velocity(flow, 33) / flow.superficialVelocity(), 0.015); // found: 1.0146
+    assertEquals(1, velocity(flow, 33) / flow.superficialVelocity(), 0.015); // found: 1.0119
   }
 
   /**

@@ -21,16 +21,34 @@ class SlitValidationTest {
 
   /** Goals of a second-order method with an error of 0.1 % in viscosity from the kernel. */
   @ParameterizedTest
-  @CsvSource({"20, 0, 3.5e-3", "20, 0.1, 1.5e-2"})
+  @CsvSource({"20, 0, 1.2e-3", "20, 0.1, 1.2e-2"})
   void forcedFlowFollowsTheSeries(int across, double disorder, double allowed) {
     forcedFlow(across, disorder, allowed);
   }
 
   @ParameterizedTest
-  @CsvSource({"30, 0, 1.5e-3", "30, 0.1, 1e-2"})
+  @CsvSource({"30, 0, 7e-4", "30, 0.1, 9e-3"})
   @Tag("validation")
   void forcedFlowConvergesAtSecondOrder(int across, double disorder, double allowed) {
     forcedFlow(across, disorder, allowed);
+  }
+
+  /**
+   * Where the profile bends within the reach of the wall's particles, too: they carry the velocity
+   * on along the parabola that it is. The kernel's viscosity is 0.07 % too large.
+   */
+  @ParameterizedTest
+  @CsvSource({"4", "5", "8"})
+  void narrowSlitHasTheParabola(int across) {
+    Poiseuille flow = new Poiseuille(across, 0);
+    SphScheme scheme = flow.scheme();
+    try (Dispatcher dispatcher = Dispatcher.withWorkers(1)) {
+      Flows.runTo(dispatcher.loop(scheme), scheme, 1);
+    }
+    double found =
+        Flows.deviation(scheme, y -> Poiseuille.velocity(y - flow.lowerWall(), 1))
+            / Poiseuille.GREATEST;
+    assertEquals(0, found, 1e-3);
   }
 
   private static void forcedFlow(int across, double disorder, double allowed) {
