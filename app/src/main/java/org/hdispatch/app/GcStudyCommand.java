@@ -35,7 +35,7 @@ final class GcStudyCommand implements Callable<Integer> {
   private static final String NAME = "gc-study";
   private static final int MOST_THREADS = 4096;
   private static final double MOST_SECONDS = 600;
-  private static final double QUICK_SECONDS = 0.6;
+  private static final double QUICK_SECONDS = 0.5;
   private static final double USUAL_SECONDS = 1.6;
 
   private final Host host;
@@ -90,7 +90,7 @@ final class GcStudyCommand implements Callable<Integer> {
   @Option(
       names = "--seconds",
       paramLabel = "S",
-      description = "Length of each measurement, after warm-up. Default: 1.6, with --quick 0.6.")
+      description = "Length of each measurement, after warm-up. Default: 1.6, with --quick 0.5.")
   private Double seconds;
 
   @Option(names = "--quiet", description = "No progress on standard error.")
