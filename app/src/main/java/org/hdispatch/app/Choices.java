@@ -3,6 +3,8 @@ package org.hdispatch.app;
 import java.util.Arrays;
 import java.util.Iterator;
 import java.util.Locale;
+import org.hdispatch.app.study.Collector;
+import org.hdispatch.dispatch.ScratchLifetime;
 import org.hdispatch.lbm.KernelForm;
 import org.hdispatch.lbm.Storage;
 import org.hdispatch.lbm.Streaming;
@@ -15,6 +17,7 @@ import org.hdispatch.porous.image.Axis;
 import org.hdispatch.porous.pore.SpherePacking;
 import org.hdispatch.sph.SearchMode;
 import org.hdispatch.sph.SumForm;
+import picocli.CommandLine.TypeConversionException;
 
 /** The words for the values of an enumeration: its names in lower case, hyphens between words. */
 abstract class Choices implements Iterable<String> {
@@ -27,6 +30,20 @@ abstract class Choices implements Iterable<String> {
   /** The word for a value. */
   static String word(Enum<?> value) {
     return value.name().toLowerCase(Locale.ROOT).replace('_', '-');
+  }
+
+  /**
+   * The value of a word.
+   *
+   * @throws TypeConversionException if there is none
+   */
+  static <E extends Enum<E>> E value(E[] values, String text) {
+    for (E each : values) {
+      if (word(each).equalsIgnoreCase(text)) {
+        return each;
+      }
+    }
+    throw new TypeConversionException(text);
   }
 
   @Override
@@ -129,6 +146,27 @@ abstract class Choices implements Iterable<String> {
   static final class OfSums extends Choices {
     OfSums() {
       super(SumForm.values());
+    }
+  }
+
+  /** Words for collectors. */
+  static final class OfCollectors extends Choices {
+    OfCollectors() {
+      super(Collector.values());
+    }
+  }
+
+  /** Words for lifetimes of scratch. */
+  static final class OfLifetimes extends Choices {
+    OfLifetimes() {
+      super(ScratchLifetime.values());
+    }
+  }
+
+  /** Words for what is soaked. */
+  static final class OfSoakMethods extends Choices {
+    OfSoakMethods() {
+      super(SoakOptions.Methods.values());
     }
   }
 }

@@ -9,7 +9,6 @@ import org.hdispatch.lbm.duct.Duct;
 import org.hdispatch.lbm.duct.DuctRun;
 import picocli.CommandLine.ITypeConverter;
 import picocli.CommandLine.Option;
-import picocli.CommandLine.TypeConversionException;
 
 /** What is stepped, and for how long. */
 final class DuctOptions {
@@ -115,12 +114,7 @@ final class DuctOptions {
   static final class StreamingConverter implements ITypeConverter<Streaming> {
     @Override
     public Streaming convert(String text) {
-      for (Streaming each : Streaming.values()) {
-        if (Choices.word(each).equalsIgnoreCase(text)) {
-          return each;
-        }
-      }
-      throw new TypeConversionException(text);
+      return Choices.value(Streaming.values(), text);
     }
   }
 

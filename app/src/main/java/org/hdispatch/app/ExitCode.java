@@ -10,8 +10,10 @@ enum ExitCode {
   USAGE(2, "bad arguments"),
   /** A file cannot be read or written. */
   FILE(3, "a file is missing, unreadable or wrong, or an output cannot be written"),
-  /** No steady state was reached. */
-  NOT_CONVERGED(4, "not converged, or blew up"),
+  /**
+   * No steady state was reached, or a proof failed: what was computed is not what was asked for.
+   */
+  NOT_CONVERGED(4, "not converged, blew up, or a soak that did not pass"),
   /** The heap is too small. */
   TOO_LARGE(5, "does not fit into the heap"),
   /** The user ended it. */

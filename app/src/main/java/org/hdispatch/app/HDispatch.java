@@ -68,6 +68,7 @@ public final class HDispatch {
     commandLine.addSubcommand(new SearchStudyCommand(host));
     commandLine.addSubcommand(new SteadyStudyCommand(host));
     commandLine.addSubcommand(new GcStudyCommand(host));
+    commandLine.addSubcommand(new SoakCommand(host));
     commandLine.addSubcommand(new AutoComplete.GenerateCompletion());
     commandLine.setCaseInsensitiveEnumValuesAllowed(true);
     Map<String, String> exitCodes = new LinkedHashMap<>();

@@ -58,6 +58,22 @@ public record PeriodicShear(int edge, double support) {
         .timeStep(1);
   }
 
+  /**
+   * The same settings with an acceleration that upholds the flow against viscosity, nu (2 pi/L)^2
+   * v_x: for long runs, as it otherwise dies away within some hundred steps.
+   */
+  public SphSchemeBuilder driven() {
+    double wavenumber = 2 * Math.PI / edge;
+    double strongest = VISCOSITY * wavenumber * wavenumber * AMPLITUDE;
+    return settings()
+        .accelerationField(
+            (x, y, z, acceleration) -> {
+              acceleration[0] = strongest * Math.sin(wavenumber * y);
+              acceleration[1] = 0;
+              acceleration[2] = 0;
+            });
+  }
+
   /** The particles. */
   public Particles particles() {
     Random random = new Random(SEED);
