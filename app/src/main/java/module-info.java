@@ -6,6 +6,7 @@ module org.hdispatch.app {
   requires java.desktop;
   requires java.management;
   requires jdk.management;
+  requires transitive org.hdispatch.core;
   requires org.hdispatch.porous;
   requires org.hdispatch.sph;
 

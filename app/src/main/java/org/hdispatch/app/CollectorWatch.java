@@ -1,6 +1,7 @@
 package org.hdispatch.app;
 
 import java.io.UncheckedIOException;
+import java.util.ArrayList;
 import java.util.List;
 import java.util.OptionalDouble;
 import org.hdispatch.gc.GcReport;
@@ -21,13 +22,34 @@ final class CollectorWatch implements FlowListener, AutoCloseable {
   private boolean begun;
   private boolean warm;
 
+  /** A part of a run. */
+  enum Part {
+    /** Until the first step. */
+    SET_UP,
+    /** Steps before those that count. */
+    WARM_UP,
+    /** Steps that count. */
+    STEPS,
+    /** What is made of them. */
+    REST
+  }
+
+  /**
+   * All that is known of a part.
+   *
+   * @param window which
+   * @param report what the collector did in it
+   */
+  record Detail(Part window, GcReport report) {}
+
   /**
    * What the collector did.
    *
    * @param warmUp during warm-up
    * @param after after warm-up
+   * @param details part by part
    */
-  record Figures(Window warmUp, Window after) {}
+  record Figures(Window warmUp, Window after, List<Detail> details) {}
 
   /**
    * What the collector did in a window.
@@ -88,13 +110,19 @@ final class CollectorWatch implements FlowListener, AutoCloseable {
    * @throws UncheckedIOException if the record of the collector cannot be read
    */
   Figures figures() {
-    if (!begun) {
-      return new Figures(Window.NOTHING, Window.NOTHING); // nothing was stepped
-    }
     List<GcReport> reports = watch.stop();
+    List<Detail> details = new ArrayList<>();
+    for (Part part : Part.values()) {
+      if (details.size() < reports.size() && (warm || part != Part.WARM_UP)) {
+        details.add(new Detail(part, reports.get(details.size())));
+      }
+    }
+    if (!begun) {
+      return new Figures(Window.NOTHING, Window.NOTHING, details); // nothing was stepped
+    }
     return warm // reports.get(0) is the set-up
-        ? new Figures(Window.of(reports.get(1)), Window.of(reports.get(2)))
-        : new Figures(Window.NOTHING, Window.of(reports.get(1)));
+        ? new Figures(Window.of(reports.get(1)), Window.of(reports.get(2)), details)
+        : new Figures(Window.NOTHING, Window.of(reports.get(1)), details);
   }
 
   @Override

@@ -28,6 +28,7 @@ final class DuctCommand implements Callable<Integer> {
   @Mixin private final DuctOptions options = new DuctOptions();
   @Mixin private final ThreadOptions threadOptions = new ThreadOptions();
   @Mixin private final OutputOptions output = new OutputOptions();
+  @Mixin private final GcReportOption gcReport = new GcReportOption();
   @Mixin private final StandardOptions standard = new StandardOptions();
   @Spec private CommandSpec spec;
 
@@ -41,6 +42,7 @@ final class DuctCommand implements Callable<Integer> {
     threadOptions.threads();
     checkCombinations();
     requireKernel();
+    gcReport.check();
     if (output.folder().isEmpty()) {
       measure(Optional.empty());
     } else {
@@ -92,6 +94,7 @@ final class DuctCommand implements Callable<Integer> {
       if (folder.isPresent()) {
         folder.get().write("duct.json", row.toJson());
       }
+      gcReport.write(report);
     }
   }
 
@@ -140,6 +143,7 @@ final class DuctCommand implements Callable<Integer> {
   private void checkCombinations() {
     if (options.isSweep()) {
       refuse("--steady", "--size");
+      refuse("--gc-report", "--size");
       return;
     }
     refuse("--sizes", "a sweep, not --size");

@@ -45,6 +45,7 @@ final class PermeabilityCommand implements Callable<Integer> {
   @Mixin private final FluidOptions fluidOptions = new FluidOptions();
   @Mixin private final ThreadOptions threadOptions = new ThreadOptions();
   @Mixin private final OutputOptions output = new OutputOptions();
+  @Mixin private final GcReportOption gcReport = new GcReportOption();
   @Mixin private final StandardOptions standard = new StandardOptions();
   @Spec private CommandSpec spec;
 
@@ -66,6 +67,7 @@ final class PermeabilityCommand implements Callable<Integer> {
             : Rock.of(ImageSource.of(imageOptions), imageOptions, settings, host);
     Rock rock = whole.refined(finer, host);
     requireHeap(rock, options);
+    gcReport.check();
     if (output.folder().isEmpty()) {
       return report(compute(rock, options, fluid), Optional.empty());
     }
@@ -119,6 +121,7 @@ final class PermeabilityCommand implements Callable<Integer> {
       new FieldFiles(outcome).write(folder.get());
       folder.get().write("result.json", row.toJson());
     }
+    gcReport.write(outcome.collectorReport());
     OptionalDouble reynolds = outcome.reynolds();
     if (reynolds.isPresent() && reynolds.getAsDouble() > DARCY_REYNOLDS) {
       warn(

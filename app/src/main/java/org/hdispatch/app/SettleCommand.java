@@ -2,8 +2,11 @@ package org.hdispatch.app;
 
 import java.io.PrintWriter;
 import java.util.Locale;
+import java.util.Optional;
 import java.util.concurrent.Callable;
+import java.util.function.Predicate;
 import org.hdispatch.dispatch.Dispatcher;
+import org.hdispatch.dispatch.Tick;
 import org.hdispatch.dispatch.TimeLoop;
 import org.hdispatch.lbm.immersed.SettlingSphere;
 import org.hdispatch.porous.io.ImageFileException;
@@ -32,6 +35,13 @@ final class SettleCommand implements Callable<Integer> {
   private static final double BYTES_PER_NODE = 19 * (Double.BYTES + Integer.BYTES) + 100;
 
   private static final int MOST_ACROSS = 200;
+
+  /** Steps between two looks at whether it is time for news. */
+  private static final long STEPS_BETWEEN = 10;
+
+  /** Steps after which the kernels are compiled; a multiple of those. */
+  private static final long WARM_UP = 200;
+
   private static final double SECONDS_BETWEEN = 0.2;
 
   private final Host host;
@@ -59,6 +69,7 @@ final class SettleCommand implements Callable<Integer> {
   @Option(names = "--quiet", description = "No progress on standard error.")
   private boolean quiet;
 
+  @Mixin private final GcReportOption gcReport = new GcReportOption();
   @Mixin private final StandardOptions standard = new StandardOptions();
   @Spec private CommandSpec spec;
 
@@ -80,26 +91,50 @@ final class SettleCommand implements Callable<Integer> {
     double nodes = SettlingSphere.boxNodes(nodesAcross);
     host.requireHeap(
         String.format(Locale.ROOT, "a box of %.0f nodes", nodes), nodes * BYTES_PER_NODE);
-    SettlingSphere settling = SettlingSphere.across(fluid, nodesAcross);
-    long started = System.nanoTime();
-    try (Dispatcher dispatcher = Dispatcher.withWorkers(threads)) {
+    gcReport.check();
+    try (CollectorWatch collector = new CollectorWatch();
+        Dispatcher dispatcher = Dispatcher.withWorkers(threads)) {
+      SettlingSphere settling = SettlingSphere.across(fluid, nodesAcross);
       TimeLoop loop = dispatcher.loop(settling.scheme());
-      double limit = PATIENCE * settling.gap() / fluid.peak();
-      loop.runUntil(
-          tick -> {
-            double velocity = settling.velocity();
-            peak = Math.max(peak, velocity);
-            progress(settling, tick.step(), (System.nanoTime() - started) * 1e-9);
-            return !(velocity >= PAST_PEAK * peak);
-          },
-          (long) Math.ceil(limit / settling.timeStep()));
-      return report(settling, loop.tick().step(), (System.nanoTime() - started) * 1e-9);
+      collector.begin();
+      double seconds = settle(settling, loop, collector);
+      collector.stepped();
+      var left =
+          new CollectorReport(
+              Optional.of(collector.figures()),
+              loop.stats(),
+              loop.tick().step() - loop.stats().steps());
+      return report(settling, loop.tick().step(), seconds, left);
     } finally {
       wipe();
     }
   }
 
-  private int report(SettlingSphere settling, long steps, double seconds)
+  /** Steps until the sphere feels the bottom; progress is shown between runs, as it allocates. */
+  private double settle(SettlingSphere settling, TimeLoop loop, CollectorWatch collector) {
+    Predicate<Tick> pastPeak =
+        tick -> {
+          double velocity = settling.velocity();
+          peak = Math.max(peak, velocity);
+          return !(velocity >= PAST_PEAK * peak);
+        };
+    long last = (long) Math.ceil(PATIENCE * settling.gap() / fluid.peak() / settling.timeStep());
+    long started = System.nanoTime();
+    double seconds = 0;
+    boolean past = false;
+    while (!past && loop.tick().step() < last) {
+      past = loop.runUntil(pastPeak, Math.min(STEPS_BETWEEN, last - loop.tick().step()));
+      seconds = (System.nanoTime() - started) * 1e-9;
+      progress(settling, loop.tick().step(), seconds);
+      if (loop.tick().step() == WARM_UP && !past) {
+        loop.resetStats();
+        collector.warmedUp();
+      }
+    }
+    return seconds;
+  }
+
+  private int report(SettlingSphere settling, long steps, double seconds, CollectorReport left)
       throws ImageFileException {
     boolean past = settling.velocity() < PAST_PEAK * peak; // never for a NaN
     if (!past) {
@@ -118,10 +153,15 @@ final class SettleCommand implements Callable<Integer> {
     }
     wipe();
     PrintWriter out = spec.commandLine().getOut();
-    out.print(json ? row(settling, steps, seconds).toJson() : table(settling, steps, seconds));
+    FlatRow row = row(settling, steps, seconds);
+    left.putInto(row);
+    Table table = table(settling, steps, seconds);
+    left.putInto(table);
+    out.print(json ? row.toJson() : table.toString());
     if (out.checkError()) {
       throw new ImageFileException("standard output must be writable");
     }
+    gcReport.write(left);
     return ExitCode.DONE.code();
   }
 
@@ -146,7 +186,7 @@ final class SettleCommand implements Callable<Integer> {
         .put("java", Version.ofJava());
   }
 
-  private String table(SettlingSphere settling, long steps, double seconds) {
+  private Table table(SettlingSphere settling, long steps, double seconds) {
     return new Table()
         .line(
             "oil",
@@ -183,8 +223,7 @@ final class SettleCommand implements Callable<Integer> {
                 settling.scheme().nodes()))
         .line("threads", threadOptions.threads() + ", Java " + Version.ofJava())
         .line("cite", "ten Cate, Nieuwstad, Derksen, Van den Akker,")
-        .line("", "Physics of Fluids 14 (2002) 4012, doi:10.1063/1.1512918")
-        .toString();
+        .line("", "Physics of Fluids 14 (2002) 4012, doi:10.1063/1.1512918");
   }
 
   private void progress(SettlingSphere settling, long step, double seconds) {

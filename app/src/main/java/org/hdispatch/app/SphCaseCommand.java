@@ -41,6 +41,7 @@ final class SphCaseCommand implements Callable<Integer> {
   @Mixin private final SphSchemeOptions options = new SphSchemeOptions();
   @Mixin private final ThreadOptions threadOptions = new ThreadOptions();
   @Mixin private final OutputOptions output = new OutputOptions();
+  @Mixin private final GcReportOption gcReport = new GcReportOption();
   @Mixin private final StandardOptions standard = new StandardOptions();
   @Spec private CommandSpec spec;
 
@@ -61,6 +62,7 @@ final class SphCaseCommand implements Callable<Integer> {
     }
     SphSchemeBuilder settings = flow.settings();
     options.form(settings.kernel());
+    gcReport.check();
     if (output.folder().isEmpty()) {
       run(flow, settings, across, duration, Optional.empty());
     } else {
@@ -96,6 +98,7 @@ final class SphCaseCommand implements Callable<Integer> {
       new ParticleFiles(scheme, flow.spacing()).write(folder.get());
       folder.get().write("sph.json", row.toJson());
     }
+    gcReport.write(report.collector());
   }
 
   /** The steps that end nearest to a time, the first of them as warm-up. */

@@ -55,6 +55,7 @@ final class SphPeriodicCommand implements Callable<Integer> {
   @Mixin private final SphSchemeOptions options = new SphSchemeOptions();
   @Mixin private final ThreadOptions threadOptions = new ThreadOptions();
   @Mixin private final OutputOptions output = new OutputOptions();
+  @Mixin private final GcReportOption gcReport = new GcReportOption();
   @Mixin private final StandardOptions standard = new StandardOptions();
   @Spec private CommandSpec spec;
 
@@ -72,6 +73,7 @@ final class SphPeriodicCommand implements Callable<Integer> {
             () -> new SphRun(warmUp == null ? SphRun.warmUpFor(shear.count()) : warmUp, steps));
     SphSchemeBuilder settings = UsageException.orRefused(shear::settings);
     options.form(settings.kernel());
+    gcReport.check();
     if (output.folder().isEmpty()) {
       measure(shear, settings, run, Optional.empty());
     } else {
@@ -104,6 +106,7 @@ final class SphPeriodicCommand implements Callable<Integer> {
       new ParticleFiles(scheme, 1).write(folder.get());
       folder.get().write("sph.json", row.toJson());
     }
+    gcReport.write(report.collector());
   }
 
   /**
