@@ -132,7 +132,7 @@ class ArchitectureTest {
     onlyIn(APP, "picocli..");
     onlyIn(APP, "java.awt..");
     onlyIn(APP, "javax.imageio..");
-    onlyIn(STUDY, "com.fasterxml..");
+    onlyIn(APP, "com.fasterxml..");
     onlyIn(STUDY, "org.HdrHistogram..");
     noClasses().should().dependOnClassesThat().resideInAPackage("org.slf4j..").check(CODE);
   }

@@ -5,10 +5,12 @@ import java.io.IOException;
 import java.nio.charset.Charset;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.time.Duration;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
 import java.util.concurrent.CancellationException;
+import java.util.concurrent.TimeUnit;
 import java.util.stream.Collectors;
 import java.util.stream.Stream;
 
@@ -16,16 +18,21 @@ import java.util.stream.Stream;
  * Starts JVMs on the classes of this one, each in a folder.
  *
  * @param jdk whose JVM
- * @param folder working folder of the children, which holds what they print; the caller's to remove
+ * @param folder working folder of the children, which holds what they print while they run
  */
 public record ChildJvm(Jdk jdk, Path folder) {
   private static final String OUT = "out.txt";
   private static final String ERR = "err.txt";
 
+  /** In place of the exit code of a child that was ended, as it took too long. */
+  static final int TOO_LONG = -1;
+
+  private static final Duration FOREVER = Duration.ofDays(365);
+
   /**
    * How a child ended.
    *
-   * @param code its exit code
+   * @param code its exit code, or {@link #TOO_LONG}
    * @param out what it printed on standard output
    * @param err on standard error
    */
@@ -49,7 +56,7 @@ public record ChildJvm(Jdk jdk, Path folder) {
     List<String> command = new ArrayList<>(List.of(jdk.java().toAbsolutePath().toString()));
     command.addAll(options);
     command.add("-version");
-    return end(command).code() == 0;
+    return end(command, FOREVER).code() == 0;
   }
 
   /**
@@ -62,14 +69,20 @@ public record ChildJvm(Jdk jdk, Path folder) {
    * @throws CancellationException if this thread was interrupted; the child is ended
    */
   public Ended run(List<String> options, Class<?> program, List<String> args) throws IOException {
+    return run(options, program, args, FOREVER);
+  }
+
+  /** As the other, but after some time the child is ended. */
+  Ended run(List<String> options, Class<?> program, List<String> args, Duration patience)
+      throws IOException {
     List<String> command = new ArrayList<>(List.of(jdk.java().toAbsolutePath().toString()));
     command.addAll(options);
     command.addAll(List.of("-cp", classPath(), program.getName()));
     command.addAll(args);
-    return end(command);
+    return end(command, patience);
   }
 
-  private Ended end(List<String> command) throws IOException {
+  private Ended end(List<String> command, Duration patience) throws IOException {
     File out = folder.resolve(OUT).toFile(); // files: a pipe that nobody reads fills up
     File err = folder.resolve(ERR).toFile();
     Process process =
@@ -79,12 +92,15 @@ public record ChildJvm(Jdk jdk, Path folder) {
             .redirectError(err)
             .start();
     try {
-      int code = process.waitFor();
-      return new Ended(code, text(out), text(err));
+      boolean inTime = process.waitFor(patience.toMillis(), TimeUnit.MILLISECONDS);
+      return new Ended(inTime ? process.exitValue() : TOO_LONG, text(out), text(err));
     } catch (InterruptedException e) {
+      Thread.currentThread().interrupt();
       throw new CancellationException("a child JVM was waited for");
     } finally {
       process.destroyForcibly(); // nothing, if it has ended
+      Files.deleteIfExists(out.toPath());
+      Files.deleteIfExists(err.toPath());
     }
   }
 

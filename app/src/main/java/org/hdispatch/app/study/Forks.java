@@ -1,15 +1,15 @@
 package org.hdispatch.app.study;
 
-import java.io.File;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.time.Duration;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
 import java.util.concurrent.CancellationException;
-import java.util.concurrent.TimeUnit;
+import java.util.stream.Stream;
 
 /** Runs cases of the study, each in a JVM of its own. */
 final class Forks {
@@ -49,88 +49,48 @@ final class Forks {
       double seconds,
       double patienceSeconds)
       throws IOException {
-    Path figures = folder.resolve("run.part");
-    Path output = folder.resolve("output.part");
+    Path figures = folder.resolve("run.part").toAbsolutePath();
     try {
       Files.deleteIfExists(figures);
-      Process jvm =
-          new ProcessBuilder(
-                  command(what, jdk, heapBytes, warmUpSeconds, seconds, figures.toString()))
-              .redirectErrorStream(true)
-              .redirectOutput(output.toFile())
-              .start();
-      boolean ended = waited(jvm, patienceSeconds);
-      if (ended && jvm.exitValue() == 0 && Files.exists(figures)) {
+      List<String> args =
+          List.of(
+              what.workload().name(),
+              what.policy().name(),
+              Integer.toString(what.scratchBytes()),
+              Integer.toString(threads),
+              Double.toString(warmUpSeconds),
+              Double.toString(seconds),
+              Long.toString(heapBytes),
+              figures.toString());
+      Duration patience = Duration.ofMillis((long) (1000 * patienceSeconds));
+      ChildJvm.Ended ended =
+          new ChildJvm(jdk, folder)
+              .run(options(what.collector(), heapBytes), StudyRun.class, args, patience);
+      if (ended.code() == 0 && Files.exists(figures)) {
         GcFigures read = RecordJson.read(GcFigures.class, Files.readString(figures));
         return new GcRow(what, "", Optional.of(read));
       }
       String why =
-          ended
-              ? why(Files.readAllLines(output), jvm.exitValue())
-              : "no end within " + Math.round(patienceSeconds) + " s";
+          ended.code() == ChildJvm.TOO_LONG
+              ? "no end within " + Math.round(patienceSeconds) + " s"
+              : why(Stream.concat(ended.out().lines(), ended.err().lines()).toList(), ended.code());
       return new GcRow(what, why, Optional.empty());
     } finally {
       Files.deleteIfExists(figures);
-      Files.deleteIfExists(output);
     }
   }
 
-  private static boolean waited(Process jvm, double seconds) {
-    boolean ended = false;
-    try {
-      ended = jvm.waitFor((long) (1000 * seconds), TimeUnit.MILLISECONDS);
-      return ended;
-    } catch (InterruptedException e) {
-      Thread.currentThread().interrupt();
-      throw new CancellationException();
-    } finally {
-      if (!ended) {
-        jvm.destroyForcibly();
-      }
-    }
-  }
-
-  private List<String> command(
-      GcCase what, Jdk jdk, long heapBytes, double warmUpSeconds, double seconds, String figures) {
-    List<String> command = new ArrayList<>(List.of(jdk.java().toString()));
-    command.addAll(what.collector().options());
-    String heap = Long.toString(heapBytes);
-    command.addAll(
+  private List<String> options(Collector collector, long heapBytes) {
+    List<String> options = new ArrayList<>(collector.options());
+    options.addAll(
         List.of(
-            "-Xms" + heap,
-            "-Xmx" + heap,
+            "-Xms" + heapBytes,
+            "-Xmx" + heapBytes,
             "-XX:+AlwaysPreTouch",
             "-XX:+ExitOnOutOfMemoryError",
             "-Djdk.virtualThreadScheduler.parallelism=" + threads,
             "-Djdk.virtualThreadScheduler.maxPoolSize=" + threads));
-    String main = StudyRun.class.getName();
-    String classPath = System.getProperty("java.class.path");
-    if (classPath == null || classPath.isEmpty()) {
-      String modules = System.getProperty("jdk.module.path");
-      command.addAll(
-          List.of("-p", modules, "-m", StudyRun.class.getModule().getName() + "/" + main));
-    } else {
-      command.addAll(List.of("-cp", absolute(classPath), main));
-    }
-    command.addAll(
-        List.of(
-            what.workload().name(),
-            what.policy().name(),
-            Integer.toString(what.scratchBytes()),
-            Integer.toString(threads),
-            Double.toString(warmUpSeconds),
-            Double.toString(seconds),
-            heap,
-            figures));
-    return command;
-  }
-
-  private static String absolute(String classPath) {
-    List<String> parts = new ArrayList<>();
-    for (String part : classPath.split(File.pathSeparator)) {
-      parts.add(Path.of(part).toAbsolutePath().toString());
-    }
-    return String.join(File.pathSeparator, parts);
+    return options;
   }
 
   /** What a JVM said before it died: the first line that is neither a warning nor of its log. */
