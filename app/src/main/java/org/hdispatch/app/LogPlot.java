@@ -39,7 +39,8 @@ final class LogPlot {
    * @param most value at its end
    * @param label the text for a value
    */
-  record Scale(String title, double least, double most, DoubleFunction<String> label) {
+  record Scale(String title, double least, double most, DoubleFunction<String> label)
+      implements PlotAxis {
     /**
      * From the nearest 1, 2 or 5 times a power of ten below some values to the nearest above.
      *
@@ -62,6 +63,14 @@ final class LogPlot {
       return new Scale(title, from, to, label);
     }
 
+    /** Whole decades, from the one that begins below some values to the one that ends above. */
+    static Scale decades(
+        String title, double lowest, double highest, DoubleFunction<String> label) {
+      double from = Math.floor(Math.log10(lowest) - 1e-9);
+      double to = Math.max(from + 1, Math.ceil(Math.log10(highest) - 1e-9));
+      return new Scale(title, Math.pow(10, from), Math.pow(10, to), label);
+    }
+
     /** Powers of ten within, and 2 and 5 times such if there would be too few or all are asked. */
     private static List<Double> ticks(double from, double to, boolean all) {
       List<Double> ticks = new ArrayList<>();
@@ -76,13 +85,13 @@ final class LogPlot {
       return ticks;
     }
 
-    /** Values that get a number. */
-    List<Double> ticks() {
+    @Override
+    public List<Double> ticks() {
       return ticks(least, most, Math.log10(most / least) < MANY_DECADES);
     }
 
-    /** Place of a value: 0 at the beginning, 1 at the end. */
-    double place(double value) {
+    @Override
+    public double place(double value) {
       double place = Math.log(value / least) / Math.log(most / least);
       return place > 0 ? Math.min(1, place) : 0; // -infinity and NaN included
     }

@@ -9,6 +9,9 @@ final class Numbers {
   private static final double PLAIN_FROM = 1e-3;
   private static final double PLAIN_TO = 1e6;
 
+  private static final double KIB = 1024;
+  private static final String[] UNITS = {"bytes", "KiB", "MiB", "GiB"};
+
   private Numbers() {}
 
   /** A number to some significant digits, without an exponent where that is readable. */
@@ -38,6 +41,22 @@ final class Numbers {
     String low = plain(least, digits);
     String high = plain(most, digits);
     return low.equals(high) ? low : low + " to " + high;
+  }
+
+  /** A number of bytes in the unit that suits it, {@code 64 KiB}. */
+  static String bytes(double bytes) {
+    double size = bytes;
+    int unit = 0;
+    while (size >= KIB && unit < UNITS.length - 1) {
+      size /= KIB;
+      unit++;
+    }
+    return plain(size, 3) + " " + (unit == 0 && size == 1 ? "byte" : UNITS[unit]);
+  }
+
+  /** How many times one number is another, to two decimals. */
+  static String ratio(double ratio) {
+    return Double.isFinite(ratio) ? String.format(Locale.ROOT, "%.2f", ratio) : "unknown";
   }
 
   /** A share that was given, such as a tolerance, as percent. */

@@ -13,7 +13,9 @@ enum PlotInk {
   /** What it is compared with. */
   SECOND("#c25a00", "#f5a04c"),
   /** What else it is compared with. */
-  THIRD("#23804c", "#62c98c");
+  THIRD("#23804c", "#62c98c"),
+  /** What comes on top, whatever the colour below. */
+  DARK("#2a2f35", "#e9ecef");
 
   private final String light;
   private final String dark;

@@ -31,6 +31,15 @@ final class StudyPage {
       table { border-collapse: collapse; font-variant-numeric: tabular-nums; font-size: .93rem; }
       th, td { padding: .28rem .7rem; text-align: right; white-space: nowrap;
         border-top: 1px solid var(--line); }
+      td.note { text-align: left; color: var(--soft); }
+      tr.part th { text-align: left; padding-top: .9rem; }
+      tr.part span { position: sticky; left: 0; }
+      .sheet { position: relative; left: 50%; transform: translateX(-50%); width: max-content;
+        max-width: calc(100vw - 2rem); }
+      .sheet table { font-size: .75rem; }
+      .sheet th, .sheet td { padding: .2rem .38rem; }
+      .sheet tr > :first-child { position: sticky; left: 0;
+        background: var(--paper) padding-box; }
       tr.more td { border-top-style: none; padding-top: 0; }
       th { font-weight: 600; white-space: normal; vertical-align: bottom; }
       th:first-child, td:first-child { text-align: left; padding-left: 0; }
@@ -43,6 +52,7 @@ final class StudyPage {
       @media (max-width: 32rem) {
         th, td { padding: .25rem .22rem; }
         table { font-size: .75rem; }
+        .sheet td:first-child { white-space: normal; min-width: 7rem; }
       }
       """;
 
@@ -54,15 +64,25 @@ final class StudyPage {
       """
       @media print {
         body { max-width: none; padding: 0; font-size: 10pt; }
-        figure, tr, .verdict { break-inside: avoid; }
-        h2, .caption, figcaption { break-after: avoid; }
+        figure svg, p, tr, .verdict { break-inside: avoid; }
+        h2, .caption, figcaption, p:has(+ figure) { break-after: avoid; }
         figure > div { grid-template-columns: 1fr 1fr; }
         .wide, pre { overflow: visible; }
         pre { white-space: pre-wrap; }
+        .sheet, p:has(+ .sheet), h2:has(+ p + .sheet) { page: sheet; }
+        .sheet { left: 0; transform: none; max-width: none; }
+        .sheet table { font-size: 7pt; }
+        .sheet th, .sheet td { padding: .1rem .3rem; }
+        .sheet tr > :first-child { position: static; }
       }
+      @page sheet { size: A4 landscape; }
       """;
 
-  private static final Pattern UNIT = Pattern.compile("(?<=\\d) (?=%|(?:s|x|mD|voxels?)\\b)");
+  private static final Pattern UNIT =
+      Pattern.compile("(?<=\\d) (?=%|(?:s|ms|[uµ]s|x|mD|voxels?|bytes?|[KMG]iB)\\b)");
+
+  /** A table of more columns takes what width there is, and turns the paper. */
+  private static final int SHEET = 12;
 
   private final StringBuilder html = new StringBuilder();
 
@@ -144,29 +164,38 @@ final class StudyPage {
   }
 
   /**
-   * Adds a table; all rows have as many cells as the head. A row whose first cell is empty belongs
-   * to the one above.
+   * Adds a table. A row whose first cell is empty belongs to the one above. In a row of fewer cells
+   * than the head the last one is a remark that takes the place of the others; if it is the only
+   * one, it is a heading of the rows below.
    */
   StudyPage table(String caption, List<String> head, List<List<String>> rows) {
     line("<p class=\"caption\">" + text(caption) + "</p>");
-    line("<div class=\"wide\">");
+    line(head.size() > SHEET ? "<div class=\"wide sheet\">" : "<div class=\"wide\">");
     line("<table>");
     line("<thead>");
-    row("th", head);
+    row("th", head, head.size());
     line("</thead>");
     line("<tbody>");
-    rows.forEach(row -> row("td", row));
+    rows.forEach(row -> row("td", row, head.size()));
     line("</tbody>");
     line("</table>");
     line("</div>");
     return this;
   }
 
-  private void row(String cell, List<String> texts) {
+  private void row(String cell, List<String> texts, int columns) {
+    int last = texts.size() - 1;
+    String spans = " colspan=\"" + (columns - last) + "\"";
+    if (last == 0 && columns > 1) {
+      String part = text(texts.get(0));
+      line("<tr class=\"part\"><th" + spans + "><span>" + part + "</span></th></tr>");
+      return;
+    }
     StringBuilder row = new StringBuilder(texts.get(0).isEmpty() ? "<tr class=\"more\">" : "<tr>");
-    for (String text : texts) {
-      row.append('<').append(cell).append('>').append(text(text));
-      row.append("</").append(cell).append('>');
+    for (int n = 0; n <= last; n++) {
+      row.append('<').append(cell);
+      row.append(n == last && columns > texts.size() ? " class=\"note\"" + spans : "");
+      row.append('>').append(text(texts.get(n))).append("</").append(cell).append('>');
     }
     line(row + "</tr>");
   }

@@ -4,6 +4,9 @@ import java.util.Locale;
 
 /** Writes the few elements of SVG that plots are made of. */
 final class SvgWriter {
+  private static final int SWATCH = 10;
+  private static final double LETTER = 7; // width, about
+
   private final StringBuilder svg = new StringBuilder();
 
   /**
@@ -58,6 +61,21 @@ final class SvgWriter {
     svg.append("\"/>").append(System.lineSeparator());
   }
 
+  /**
+   * Upright lines, all in one.
+   *
+   * @param x places; shape: [lines]
+   * @param from upper ends; shape: [lines]
+   * @param to lower end of all
+   */
+  void ticks(double[] x, double[] from, double to, String colour) {
+    svg.append("<path fill=\"none\" stroke=\"").append(colour).append("\" d=\"");
+    for (int n = 0; n < x.length; n++) {
+      svg.append(String.format(Locale.ROOT, "M%.1f,%.1fV%.1f", x[n], from[n], to));
+    }
+    svg.append("\"/>").append(System.lineSeparator());
+  }
+
   /** A filled rectangle. */
   void rectangle(double x, double y, double width, double height, String colour) {
     svg.append(
@@ -69,6 +87,17 @@ final class SvgWriter {
             width,
             height,
             colour));
+  }
+
+  /**
+   * Says what a colour is.
+   *
+   * @return where there is room for the next
+   */
+  double name(double x, double y, String name, String colour) {
+    rectangle(x, y - SWATCH, SWATCH, SWATCH, colour);
+    text(x + SWATCH + 5, y, name, Anchor.START, 0);
+    return x + SWATCH + 5 + LETTER * name.length() + 14;
   }
 
   /** What marks a point. */

@@ -31,4 +31,20 @@ class NumbersTest {
     assertEquals("2.1 to 3", Numbers.span(2.13, 3.01, 2));
     assertEquals("3", Numbers.span(2.99, 3.01, 2));
   }
+
+  @Test
+  void bytesHaveTheUnitThatSuits() {
+    assertEquals("0 bytes", Numbers.bytes(0));
+    assertEquals("1 byte", Numbers.bytes(1));
+    assertEquals("64 KiB", Numbers.bytes(65_536));
+    assertEquals("62.9 MiB", Numbers.bytes(66e6));
+    assertEquals("1020 GiB", Numbers.bytes(0x1p40)); // to three digits
+  }
+
+  @Test
+  void ratiosHaveTwoDecimals() {
+    assertEquals("1.70", Numbers.ratio(1.7));
+    assertEquals("0.99", Numbers.ratio(0.9899));
+    assertEquals("unknown", Numbers.ratio(Double.POSITIVE_INFINITY));
+  }
 }

@@ -5,6 +5,7 @@ import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.io.StringReader;
+import java.util.Collections;
 import java.util.List;
 import javax.xml.parsers.DocumentBuilderFactory;
 import org.junit.jupiter.api.Test;
@@ -58,8 +59,33 @@ class StudyPageTest {
 
   @Test
   void lineEndsBetweenNoNumberAndItsUnit() throws Exception {
-    Document page = parsed(new StudyPage("t", "5 % of 3 s, 4 x 2 steps").toString());
-    assertEquals("5\u00a0% of 3\u00a0s, 4\u00a0x 2 steps", only(page, "p"));
+    Document page = parsed(new StudyPage("t", "5 % of 3 s, 4 x 2 steps, 6 us, 7 KiB").toString());
+    assertEquals("5\u00a0% of 3\u00a0s, 4\u00a0x 2 steps, 6\u00a0us, 7\u00a0KiB", only(page, "p"));
+  }
+
+  @Test
+  void shortRowsAreHeadingsAndRemarks() throws Exception {
+    List<List<String>> rows =
+        List.of(List.of("part"), List.of("1", "gone"), List.of("1", "2", "3"));
+    Document page =
+        parsed(new StudyPage("t", "l").table("c", List.of("x", "y", "z"), rows).toString());
+    Element part = (Element) page.getElementsByTagName("tr").item(1);
+    assertEquals("part", part.getAttribute("class"));
+    assertEquals("3", ((Element) part.getFirstChild()).getAttribute("colspan"));
+    Element note = (Element) page.getElementsByTagName("td").item(1);
+    assertEquals("gone", note.getTextContent());
+    assertEquals("2", note.getAttribute("colspan"));
+    assertEquals(5, page.getElementsByTagName("td").getLength());
+  }
+
+  @Test
+  void tableOfManyColumnsTurnsThePaper() {
+    List<String> head = Collections.nCopies(13, "x");
+    String many = new StudyPage("t", "l").table("c", head, List.of(head)).toString();
+    assertTrue(many.contains("<div class=\"wide sheet\">"), many);
+    List<String> less = head.subList(1, 13);
+    String few = new StudyPage("t", "l").table("c", less, List.of(less)).toString();
+    assertTrue(few.contains("<div class=\"wide\">"), few);
   }
 
   @Test
