@@ -34,12 +34,13 @@ final class GcPage {
    *
    * @param rows of a study, at least one
    * @param command that repeats the study
+   * @param files beside the page that hold the same figures
    */
-  static String html(List<GcRow> rows, String command) {
-    return new GcPage(rows).page(command);
+  static String html(List<GcRow> rows, String command, List<String> files) {
+    return new GcPage(rows).page(command, files);
   }
 
-  private String page(String command) {
+  private String page(String command, List<String> files) {
     StudyPage page = new StudyPage("What enduring scratch is worth", lead());
     page.section("Verdict")
         .verdict(GcVerdict.sentences(runs.rows()).stream().map(GcPage::micro).toList());
@@ -71,7 +72,7 @@ final class GcPage {
     others(page);
     tables(page);
     page.section("How it was measured").points(method());
-    page.section("Do it again").command(command);
+    page.section("Do it again").command(command).files(files);
     page.section("Sources").points(SOURCES);
     return page.toString();
   }
@@ -142,7 +143,7 @@ final class GcPage {
             + " for it above; the table has all of them.");
     points.add(
         "Size of the heap: a multiple of the smallest in which the work runs with Serial and scratch"
-            + " per cell, found by bisection for each JVM.");
+            + " per cell, found by bisection on the first JVM.");
     if (!all.isEmpty()) {
       points.add(
           "Window: what is measured begins after a warm-up with full collections in it, and takes "

@@ -1,6 +1,7 @@
 package org.hdispatch.app;
 
 import java.io.IOException;
+import java.io.PrintWriter;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
@@ -33,6 +34,7 @@ import picocli.CommandLine.Spec;
     })
 final class GcStudyCommand implements Callable<Integer> {
   private static final String NAME = "gc-study";
+  private static final String COMMAND = NAME + ".command";
   private static final int MOST_THREADS = 4096;
   private static final double MOST_SECONDS = 600;
   private static final double QUICK_SECONDS = 0.5;
@@ -111,16 +113,29 @@ final class GcStudyCommand implements Callable<Integer> {
         throw new ImageFileException("folder of a study must exist: folder=" + reported);
       }
       try (OutputFolder folder = OutputFolder.open(reported)) {
-        report(reported, folder);
+        report(reported, folder, commandOf(reported));
       }
       return ExitCode.DONE.code();
     }
     List<Jdk> jdks = jdks();
     try (OutputFolder folder = OutputFolder.open(output)) {
+      List<String> given = spec.root().commandLine().getParseResult().originalArgs();
+      String command = "./hdispatch " + String.join(" ", given);
+      folder.write(COMMAND, command + "\n");
       run(jdks);
-      report(output, folder);
+      report(output, folder, command);
     }
     return ExitCode.DONE.code();
+  }
+
+  /** What the runs in a folder were asked for with. */
+  private static String commandOf(Path folder) throws ImageFileException {
+    Path file = folder.resolve(COMMAND);
+    try {
+      return Files.exists(file) ? Files.readString(file).strip() : "./hdispatch " + NAME;
+    } catch (IOException e) {
+      throw new ImageFileException("file of a study must be readable: file=" + file, e);
+    }
   }
 
   private void check() {
@@ -186,7 +201,7 @@ final class GcStudyCommand implements Callable<Integer> {
     return String.format("  %d:%02d left  ", left / 60, left % 60);
   }
 
-  private void report(Path from, OutputFolder folder) throws ImageFileException {
+  private void report(Path from, OutputFolder folder, String command) throws ImageFileException {
     List<GcRow> rows;
     String json;
     try {
@@ -198,10 +213,14 @@ final class GcStudyCommand implements Callable<Integer> {
     if (rows.isEmpty()) {
       throw new ImageFileException("folder must hold runs of a study: folder=" + from);
     }
-    folder.write(NAME + ".csv", FlatRow.toCsv(GcStudyTable.rows(rows)));
-    folder.write(NAME + ".json", json);
-    spec.commandLine().getOut().print(GcStudyTable.text(rows));
-    if (spec.commandLine().getOut().checkError()) {
+    List<String> files = List.of(NAME + ".csv", NAME + ".json");
+    folder.write(files.get(0), FlatRow.toCsv(GcStudyTable.rows(rows)));
+    folder.write(files.get(1), json);
+    folder.write(NAME + ".html", GcPage.html(rows, command, files));
+    PrintWriter out = spec.commandLine().getOut();
+    out.println(GcStudyTable.text(rows));
+    GcVerdict.sentences(rows).forEach(out::println);
+    if (out.checkError()) {
       throw new ImageFileException("standard output must be writable");
     }
   }

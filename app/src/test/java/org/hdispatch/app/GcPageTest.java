@@ -24,7 +24,7 @@ class GcPageTest {
 
   /** A page as XML, which says nothing that is no number or not there. */
   private static Document page(List<GcRow> rows) throws Exception {
-    String html = GcPage.html(rows, "./hdispatch gc-study --output a && b");
+    String html = GcPage.html(rows, "./hdispatch gc-study --output a && b", List.of("a.csv"));
     for (String bad : List.of("NaN", "null", "Infinity", "unknown", "Optional")) {
       assertFalse(html.contains(bad), bad);
     }

@@ -68,7 +68,9 @@ class GcStudyCommandTest {
     assertTrue(rows.get(dies).why().contains("OutOfMemoryError"), rows.get(dies).why());
 
     assertTrue(study.out().contains("no figures: lbm, 64 KiB, Epsilon"), study.out());
-    assertTrue(study.out().lines().count() == QUICK.size() + 1, study.out()); // and a header
+    assertTrue(study.out().lines().count() > QUICK.size() + 2, study.out()); // and a verdict
+    String page = Files.readString(folder.resolve("gc-study.html"));
+    assertTrue(page.contains("./hdispatch gc-study --quick --jdk"), page);
     assertEquals(QUICK.size() + 1, Files.readAllLines(folder.resolve("gc-study.csv")).size());
     assertTrue(Files.readString(folder.resolve("gc-study.json")).contains("OutOfMemoryError"));
 
@@ -77,6 +79,7 @@ class GcStudyCommandTest {
     assertEquals(0, again.code(), again.err());
     assertEquals(study.out(), again.out());
     assertTrue(Files.exists(folder.resolve("gc-study.csv")));
+    assertEquals(page, Files.readString(folder.resolve("gc-study.html")));
     Cli nothingLeft =
         Cli.run("gc-study", "--quick", "--jdk", JDK.home(), "--output", folder, "--seconds", 0.1);
     assertEquals(study.out(), nothingLeft.out()); // to the last digit: nothing was run again
