@@ -3,17 +3,20 @@ package org.hdispatch.app;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
-import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.OptionalDouble;
 import org.hdispatch.porous.image.VoxelBox;
 import org.hdispatch.porous.image.VoxelImage;
-import org.hdispatch.porous.io.Hdf5Dataset;
 import org.hdispatch.porous.io.Hdf5Images;
+import org.hdispatch.porous.io.ImageFile;
 import org.hdispatch.porous.io.ImageFileException;
 import org.hdispatch.porous.io.ImageFormat;
+import org.hdispatch.porous.io.MetaImages;
+import org.hdispatch.porous.io.NrrdImages;
+import org.hdispatch.porous.io.NumpyImages;
 import org.hdispatch.porous.io.RawImages;
+import org.hdispatch.porous.io.TiffImages;
 
 /** Where an image comes from; its size is known, none of its voxels has been read. */
 interface ImageSource {
@@ -58,25 +61,31 @@ interface ImageSource {
     if (options.dims().isPresent() && options.dataset().isPresent()) {
       throw new UsageException("--dims (raw) and --dataset (HDF5) must not be combined");
     }
-    boolean hdf5 = options.dataset().isPresent() || ImageFormat.of(file) == ImageFormat.HDF5;
-    if (hdf5) {
-      if (options.dims().isPresent()) {
-        throw new UsageException("--dims must be left out, as HDF5 knows its size: file=" + file);
-      }
-      Hdf5Dataset dataset = Hdf5Images.select(file, options.dataset());
-      return new Hdf5(dataset, dataset.whole());
+    ImageFormat format = options.dataset().isPresent() ? ImageFormat.HDF5 : ImageFormat.of(file);
+    if (format != ImageFormat.RAW && options.dims().isPresent()) {
+      throw new UsageException(
+          "--dims must be left out, as " + format + " knows its size: file=" + file);
     }
-    VoxelBox whole =
-        options
-            .dims()
-            .orElseThrow(
-                () ->
-                    new UsageException(
-                        "raw image must come with its size (--dims nx,ny,nz): file="
-                            + file
-                            + hint(file)));
-    RawImages.requireLength(file, whole.nx(), whole.ny(), whole.nz());
-    return new Raw(file, whole);
+    return new Stored(
+        switch (format) {
+          case HDF5 -> Hdf5Images.open(file, options.dataset());
+          case TIFF -> TiffImages.open(file);
+          case NUMPY -> NumpyImages.open(file);
+          case NRRD -> NrrdImages.open(file);
+          case META_IMAGE -> MetaImages.open(file);
+          case RAW -> RawImages.open(file, sizeOfRaw(file, options));
+        });
+  }
+
+  private static VoxelBox sizeOfRaw(Path file, ImageOptions options) {
+    return options
+        .dims()
+        .orElseThrow(
+            () ->
+                new UsageException(
+                    "raw image must come with its size (--dims nx,ny,nz): file="
+                        + file
+                        + hint(file)));
   }
 
   /** Length of a file in words, and the cube that it may be. */
@@ -95,61 +104,31 @@ interface ImageSource {
     }
   }
 
-  /** A raw file. */
-  record Raw(Path file, VoxelBox whole) implements ImageSource {
+  /** An image in a file. */
+  record Stored(ImageFile file) implements ImageSource {
     @Override
     public String name() {
-      return file.toString();
+      return file.name();
+    }
+
+    @Override
+    public VoxelBox whole() {
+      return file.whole();
     }
 
     @Override
     public OptionalDouble voxelEdge() {
-      return OptionalDouble.empty();
+      return file.voxelEdge();
     }
 
     @Override
     public Map<String, Object> facts() throws ImageFileException {
-      Map<String, Object> facts = new LinkedHashMap<>();
-      facts.put("format", "raw 8 bit");
-      facts.put("file_bytes", file.toFile().length());
-      facts.put("image_bytes", whole.voxels());
-      return facts;
+      return file.facts();
     }
 
     @Override
     public VoxelImage read(VoxelBox box) throws ImageFileException {
-      return RawImages.read(file, whole.nx(), whole.ny(), whole.nz(), box);
-    }
-  }
-
-  /** A dataset of an HDF5 file. */
-  record Hdf5(Hdf5Dataset dataset, VoxelBox whole) implements ImageSource {
-    @Override
-    public String name() {
-      return dataset.file() + ":" + dataset.path();
-    }
-
-    @Override
-    public OptionalDouble voxelEdge() {
-      return dataset.voxelEdge();
-    }
-
-    @Override
-    public Map<String, Object> facts() throws ImageFileException {
-      Map<String, Object> facts = new LinkedHashMap<>();
-      facts.put("format", "HDF5");
-      facts.put("file_bytes", dataset.file().toFile().length());
-      facts.put("dataset", dataset.path());
-      facts.put("type", dataset.type());
-      facts.put("shape", dataset.shape().toString());
-      List<Hdf5Dataset> all = Hdf5Images.describe(dataset.file());
-      facts.put("datasets", String.join("; ", all.stream().map(Hdf5Dataset::toString).toList()));
-      return facts;
-    }
-
-    @Override
-    public VoxelImage read(VoxelBox box) throws ImageFileException {
-      return Hdf5Images.read(dataset, box);
+      return file.read(box);
     }
   }
 }

@@ -72,7 +72,7 @@ class WrongInputTest {
     Cli.run(command, folder.resolve("missing.raw"))
         .assertRefused(3, "file must exist: file=", "missing.raw");
     Cli.run(command, folder.resolve("missing.h5")).assertRefused(3, "file must exist");
-    Cli.run(command, folder).assertRefused(3, "file must not be a directory: file=");
+    Cli.run(command, folder).assertRefused(3, "folder must hold the slices of an image");
     Cli.run(command, folder.resolve("empty.raw"), "--dims", "4,4,4")
         .assertRefused(3, "file must not be empty");
     Cli.run(command, folder.resolve("text.h5")).assertRefused(3, "file must be HDF5");

@@ -56,6 +56,19 @@ public final class Hdf5Images {
   }
 
   /**
+   * The image of {@link #select}.
+   *
+   * @param file an HDF5 file
+   * @param dataset path of the dataset, with or without a leading slash; or empty
+   * @return the image
+   * @throws ImageFileException as {@link #select} does
+   */
+  public static ImageFile open(Path file, Optional<String> dataset) throws ImageFileException {
+    Hdf5Dataset chosen = select(file, dataset);
+    return new Hdf5Image(chosen, chosen.whole());
+  }
+
+  /**
    * Reads a whole dataset.
    *
    * @param dataset a dataset of {@link #select} or {@link #describe}

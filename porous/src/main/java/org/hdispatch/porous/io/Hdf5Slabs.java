@@ -46,14 +46,7 @@ final class Hdf5Slabs {
       }
       return readCompact(dataset, stored, whole, box, type);
     } catch (LabelType.LabelRangeException e) {
-      throw new ImageFileException(
-          "labels must be within 0..255 (map them to uint8): "
-              + dataset.where()
-              + ", type="
-              + type
-              + ", label="
-              + e.getMessage(),
-          e);
+      throw e.in(dataset.where(), type);
     } catch (IOException e) {
       if (e instanceof ImageFileException wrong) {
         throw wrong;

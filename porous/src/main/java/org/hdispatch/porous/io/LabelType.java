@@ -65,5 +65,17 @@ record LabelType(int bytes, boolean signed, ByteOrder order) {
     LabelRangeException(String value) {
       super(value);
     }
+
+    /** What to throw, with the place where the label was found. */
+    ImageFileException in(String where, Object type) {
+      return new ImageFileException(
+          "labels must be within 0..255 (map them to uint8): "
+              + where
+              + ", type="
+              + type
+              + ", label="
+              + getMessage(),
+          this);
+    }
   }
 }
