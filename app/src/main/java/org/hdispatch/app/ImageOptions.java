@@ -24,8 +24,9 @@ final class ImageOptions {
       arity = "0..1",
       paramLabel = "IMAGE",
       description =
-          "Segmented image: HDF5, or raw 8-bit (x fastest, no header; also .gz)."
-              + " Default: none, see above.")
+          "Segmented image, labels 0 to 255: HDF5, TIFF (a file of pages, or a folder of slices),"
+              + " NumPy .npy (z, y, x), NRRD, MetaImage .mhd or .mha, or raw 8-bit (x fastest, no"
+              + " header; also .gz). Default: none, see above.")
   private Path image;
 
   @Option(
@@ -62,7 +63,9 @@ final class ImageOptions {
   @Option(
       names = "--voxel-edge",
       paramLabel = "M",
-      description = "Edge of a voxel, m. Default: as the file says (HDF5 attribute voxel_size_m).")
+      description =
+          "Edge of a voxel, m. Default: as the file says (HDF5: attribute voxel_size_m; NRRD: where"
+              + " a unit is stated; MetaImage: mm unless stated; TIFF, NumPy and raw do not say it).")
   private Double voxelEdge;
 
   Optional<Path> image() {
