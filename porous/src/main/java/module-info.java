@@ -10,4 +10,5 @@ module org.hdispatch.porous {
   exports org.hdispatch.porous.image;
   exports org.hdispatch.porous.io;
   exports org.hdispatch.porous.pore;
+  exports org.hdispatch.porous.survey;
 }

@@ -5,6 +5,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.OptionalDouble;
 import java.util.StringJoiner;
+import org.hdispatch.porous.io.CsvLine;
 
 /**
  * One result as keys and values in their order; a value is a string, a number, a truth value, or
@@ -73,19 +74,16 @@ final class FlatRow {
   /** A header, and a row for each of these, which have the same keys. */
   static String toCsv(List<FlatRow> rows) {
     StringBuilder csv = new StringBuilder();
-    StringJoiner header = new StringJoiner(",", "", "\n");
-    rows.get(0).values.keySet().forEach(header::add);
-    csv.append(header);
+    csv.append(CsvLine.format(List.copyOf(rows.get(0).values.keySet()))).append('\n');
     for (FlatRow row : rows) {
-      StringJoiner line = new StringJoiner(",", "", "\n");
-      row.values.values().forEach(value -> line.add(value == null ? "" : field(value.toString())));
-      csv.append(line);
+      csv.append(CsvLine.format(row.values.keySet().stream().map(row::text).toList())).append('\n');
     }
     return csv.toString();
   }
 
-  private static String field(String text) {
-    boolean plain = text.chars().noneMatch(c -> c == ',' || c == '"' || c == '\n' || c == '\r');
-    return plain ? text : '"' + text.replace("\"", "\"\"") + '"';
+  /** A value as text; empty if it is unknown. */
+  String text(String key) {
+    Object value = values.get(key);
+    return value == null ? "" : value.toString();
   }
 }

@@ -1,8 +1,6 @@
 package org.hdispatch.app;
 
 import java.io.IOException;
-import java.nio.ByteBuffer;
-import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayDeque;
@@ -61,14 +59,7 @@ final class OutputFolder implements AutoCloseable {
 
   /** Writes a text as UTF-8; it is whole or not there. */
   void write(String name, String text) throws ImageFileException {
-    ByteBuffer bytes = StandardCharsets.UTF_8.encode(text);
-    WholeFiles.write(
-        file(name),
-        channel -> {
-          while (bytes.hasRemaining()) {
-            channel.write(bytes);
-          }
-        });
+    WholeFiles.write(file(name), text);
   }
 
   /** Takes away what was made and is still empty. */

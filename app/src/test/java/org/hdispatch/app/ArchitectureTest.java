@@ -108,6 +108,7 @@ class ArchitectureTest {
             "org.hdispatch.porous.image..",
             IO,
             "org.hdispatch.porous.pore..",
+            "org.hdispatch.porous.survey..",
             "org.hdispatch.porous.darcy..")
         .should()
         .dependOnClassesThat()

@@ -1,7 +1,9 @@
 package org.hdispatch.porous.io;
 
 import java.io.IOException;
+import java.nio.ByteBuffer;
 import java.nio.channels.FileChannel;
+import java.nio.charset.StandardCharsets;
 import java.nio.file.AtomicMoveNotSupportedException;
 import java.nio.file.Files;
 import java.nio.file.Path;
@@ -64,6 +66,25 @@ public final class WholeFiles {
       throw new ImageFileException(
           "output must be writable: file=" + target + ", cause=" + ImageFiles.describe(e), e);
     }
+  }
+
+  /**
+   * Writes a text as UTF-8, over an existing file if need be.
+   *
+   * @param target where it goes; its folder must exist
+   * @param text what to write
+   * @throws ImageFileException if it cannot be written; nothing is left behind, and an existing
+   *     target is as it was
+   */
+  public static void write(Path target, String text) throws ImageFileException {
+    ByteBuffer bytes = StandardCharsets.UTF_8.encode(text);
+    write(
+        target,
+        channel -> {
+          while (bytes.hasRemaining()) {
+            channel.write(bytes);
+          }
+        });
   }
 
   private static void move(Path part, Path target) throws IOException {
