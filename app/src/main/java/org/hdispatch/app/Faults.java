@@ -37,7 +37,8 @@ final class Faults {
     return code.code();
   }
 
-  private static ExitCode code(Throwable thrown) {
+  /** The exit code of what was thrown. */
+  static ExitCode code(Throwable thrown) {
     if (Thread.currentThread().isInterrupted()) {
       return ExitCode.INTERRUPTED; // whatever could not go on because of that
     }

@@ -14,16 +14,8 @@ import org.hdispatch.porous.flow.Sides;
 import org.hdispatch.porous.image.Axis;
 import picocli.CommandLine.Option;
 
-/** How the flow is computed. */
+/** How the flow is computed, its direction apart. */
 final class FlowSettings {
-  @Option(
-      names = "--axis",
-      paramLabel = "AXIS",
-      defaultValue = "z",
-      completionCandidates = Choices.OfAxis.class,
-      description = "Direction of the flow: ${COMPLETION-CANDIDATES}.")
-  private Axis axis;
-
   @Option(
       names = "--tolerance",
       paramLabel = "E",
@@ -148,7 +140,7 @@ final class FlowSettings {
   }
 
   /**
-   * The settings for an image.
+   * The settings for an image, along z.
    *
    * @throws UsageException if one is out of its bounds
    */
@@ -156,7 +148,7 @@ final class FlowSettings {
     return UsageException.orRefused(
         () ->
             new FlowOptions(
-                axis,
+                Axis.Z,
                 lattice,
                 storage,
                 collision,

@@ -11,18 +11,13 @@ import org.hdispatch.dispatch.Dispatcher;
 import org.hdispatch.lbm.immersed.ImmersedBodies;
 import org.hdispatch.porous.darcy.PhysicalFlow;
 import org.hdispatch.porous.flow.FlowListener;
-import org.hdispatch.porous.flow.FlowOptions;
 import org.hdispatch.porous.flow.Inlet;
-import org.hdispatch.porous.flow.LbmFlow;
 import org.hdispatch.porous.flow.Sides;
-import org.hdispatch.porous.flow.SphFlow;
 import org.hdispatch.porous.flow.SteadyFlow;
 import org.hdispatch.porous.io.ImageFileException;
-import org.hdispatch.porous.pore.PoreSpace;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Model.CommandSpec;
-import picocli.CommandLine.ParseResult;
 import picocli.CommandLine.Spec;
 
 /** {@code hdispatch permeability}: from a rock image, or regular spheres, to k. */
@@ -41,6 +36,7 @@ final class PermeabilityCommand implements Callable<Integer> {
   @Mixin private final ImageOptions imageOptions = new ImageOptions();
   @Mixin private final SphereOptions spheres = new SphereOptions();
   @Mixin private final MethodOptions methodOptions = new MethodOptions();
+  @Mixin private final AxisOption axisOption = new AxisOption();
   @Mixin private final FlowSettings settings = new FlowSettings();
   @Mixin private final FluidOptions fluidOptions = new FluidOptions();
   @Mixin private final ThreadOptions threadOptions = new ThreadOptions();
@@ -55,28 +51,26 @@ final class PermeabilityCommand implements Callable<Integer> {
 
   @Override
   public Integer call() throws ImageFileException {
-    checkCombinations();
-    FlowOptions options = flowOptions();
+    FlowChoice choice = choice();
     PhysicalFlow fluid = fluidOptions.fluid();
     threadOptions.threads();
-    methodOptions.particles();
     int finer = methodOptions.refine();
     Rock whole =
         spheres.packing().isPresent()
             ? Rock.of(spheres, imageOptions, settings.walls(), host)
             : Rock.of(ImageSource.of(imageOptions), imageOptions, settings, host);
     Rock rock = whole.refined(finer, host);
-    requireHeap(rock, options);
+    choice.requireHeap(rock, host);
     gcReport.check();
     if (output.folder().isEmpty()) {
-      return report(compute(rock, options, fluid), Optional.empty());
+      return report(compute(rock, choice, fluid), Optional.empty());
     }
     try (OutputFolder folder = OutputFolder.open(output.folder().get())) {
-      return report(compute(rock, options, fluid), Optional.of(folder));
+      return report(compute(rock, choice, fluid), Optional.of(folder));
     }
   }
 
-  private Outcome compute(Rock rock, FlowOptions options, PhysicalFlow fluid) {
+  private Outcome compute(Rock rock, FlowChoice choice, PhysicalFlow fluid) {
     try (CollectorWatch collector = new CollectorWatch();
         ProgressLine progress = new ProgressLine(err(), rock.voxelEdge());
         Dispatcher dispatcher = Dispatcher.withWorkers(threadOptions.threads())) {
@@ -85,20 +79,10 @@ final class PermeabilityCommand implements Callable<Integer> {
         listeners.add(progress);
       }
       FlowListener all = new Listeners(listeners);
-      SteadyFlow flow = solve(dispatcher, rock, options, all);
+      SteadyFlow flow = choice.solve(dispatcher, rock, all);
       return new Outcome(
-          methodOptions.method(), rock, fluid, flow, threadOptions.threads(), figures(collector));
+          choice.method(), rock, fluid, flow, threadOptions.threads(), figures(collector));
     }
-  }
-
-  private SteadyFlow solve(
-      Dispatcher dispatcher, Rock rock, FlowOptions options, FlowListener listener) {
-    if (methodOptions.method() == Method.SPH) {
-      return SphFlow.solve(dispatcher, rock.space(), options, methodOptions.particles(), listener);
-    }
-    return rock.solid().isPresent()
-        ? LbmFlow.solve(dispatcher, rock.solid().get(), options, listener)
-        : LbmFlow.solve(dispatcher, rock.space(), options, listener);
   }
 
   private Optional<CollectorWatch.Figures> figures(CollectorWatch collector) {
@@ -172,81 +156,31 @@ final class PermeabilityCommand implements Callable<Integer> {
     }
   }
 
-  private FlowOptions flowOptions() {
-    FlowOptions options = settings.options();
-    if (methodOptions.method() == Method.SPH && !given().hasMatchedOption("--tolerance")) {
-      options = options.withTolerance(MethodOptions.SPH_TOLERANCE);
-    }
-    if (settings.walls() == Walls.IMB) {
-      if (!given().hasMatchedOption("--lattice")) {
-        options = options.withVelocitySet(FlowOptions.IMMERSED.velocitySet());
-      }
-      if (!given().hasMatchedOption("--collision")) {
-        options = options.withCollision(FlowOptions.IMMERSED.collision());
-      }
-    }
-    return spheres.packing().isPresent()
-        ? options.withBoundaries(Sides.PERIODIC, Inlet.PERIODIC)
-        : options;
-  }
-
-  private void requireHeap(Rock rock, FlowOptions options) {
-    PoreSpace space = rock.space();
-    long flow = // refused: rock without any wall
-        UsageException.orRefused(
-            () ->
-                methodOptions.method() == Method.SPH
-                    ? SphFlow.estimatedBytes(space, options)
-                    : rock.solid().isPresent()
-                        ? LbmFlow.estimatedBytes(rock.solid().get(), options)
-                        : LbmFlow.estimatedBytes(space, options));
-    double bytes = flow + (double) space.voxels() * Rock.BYTES_PER_VOXEL;
-    host.requireHeap("the flow of " + space.poreVoxels() + " pore voxels", bytes);
-  }
-
-  private void checkCombinations() {
+  private FlowChoice choice() {
     output.folder();
-    if (methodOptions.method() == Method.SPH) {
-      MethodOptions.LBM_NAMES.forEach(name -> refuse(name, "--method lbm"));
-    } else {
-      MethodOptions.SPH_NAMES.forEach(name -> refuse(name, "--method sph"));
-    }
-    if (settings.walls() != Walls.IMB) {
-      refuse("--solid-fraction-range", "--walls imb");
-    }
-    if (settings.solidFractionRange().isPresent()) {
-      refuse("--pore-value", "a segmented image, not --solid-fraction-range");
-    }
-    if (spheres.packing().isPresent()) {
-      if (imageOptions.image().isPresent()) {
-        throw new UsageException(
-            "--spheres must not be combined with an image: image=" + imageOptions.image().get());
+    Given given = new Given(spec.commandLine().getParseResult());
+    FlowChoice choice = FlowChoice.of(methodOptions, settings, given).along(axisOption.axis());
+    if (spheres.packing().isEmpty()) {
+      SphereOptions.NAMES.forEach(name -> given.refuse(name, "--spheres"));
+      if (choice.options().inlet() != Inlet.SLAB) {
+        given.refuse("--inlet-layers", "--inlet slab");
       }
-      ImageOptions.NAMES.forEach(name -> refuse(name, "an image, not --spheres"));
-      refuse("--solid-fraction-range", "an image, not --spheres");
-      requirePeriodic("--sides", Sides.PERIODIC);
-      requirePeriodic("--inlet", Inlet.PERIODIC);
-      refuse("--inlet-layers", "--inlet slab, not --spheres");
-    } else {
-      SphereOptions.NAMES.forEach(name -> refuse(name, "--spheres"));
-      if (settings.options().inlet() != Inlet.SLAB) {
-        refuse("--inlet-layers", "--inlet slab");
-      }
+      return choice;
     }
-  }
-
-  private ParseResult given() {
-    return spec.commandLine().getParseResult();
-  }
-
-  private void refuse(String option, String belongsTo) {
-    if (given().hasMatchedOption(option)) {
-      throw new UsageException(option + " must come with " + belongsTo);
+    if (imageOptions.image().isPresent()) {
+      throw new UsageException(
+          "--spheres must not be combined with an image: image=" + imageOptions.image().get());
     }
+    ImageOptions.NAMES.forEach(name -> given.refuse(name, "an image, not --spheres"));
+    given.refuse("--solid-fraction-range", "an image, not --spheres");
+    requirePeriodic(given, "--sides", Sides.PERIODIC);
+    requirePeriodic(given, "--inlet", Inlet.PERIODIC);
+    given.refuse("--inlet-layers", "--inlet slab, not --spheres");
+    return choice.with(choice.options().withBoundaries(Sides.PERIODIC, Inlet.PERIODIC));
   }
 
-  private void requirePeriodic(String option, Enum<?> periodic) {
-    if (given().hasMatchedOption(option) && given().matchedOptionValue(option, null) != periodic) {
+  private static void requirePeriodic(Given given, String option, Enum<?> periodic) {
+    if (given.has(option) && given.parsed().matchedOptionValue(option, null) != periodic) {
       throw new UsageException("spheres must be periodic on all sides: leave out " + option);
     }
   }

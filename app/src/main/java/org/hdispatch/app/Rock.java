@@ -33,6 +33,10 @@ record Rock(
   /** Heap to make a pore space and to see what spans it: image, pore space, its part, its runs. */
   static final int BYTES_PER_VOXEL = 5;
 
+  /** Why walls that are immersed are not refined. */
+  static final String NOT_REFINED =
+      "--refine must come with voxels that are solid or not: walls=imb";
+
   /** Keeps copies of the lists. */
   Rock {
     citation = List.copyOf(citation);
@@ -70,24 +74,10 @@ record Rock(
       Optional<List<Integer>> range,
       Host host)
       throws ImageFileException {
-    LabelRule rule = options.rule();
-    OptionalDouble edge = options.voxelEdgeOr(source.voxelEdge());
-    if (edge.isEmpty()) {
-      throw new UsageException(
-          "voxel edge must be known, as the file does not say it (give --voxel-edge, in m): file="
-              + source.name());
-    }
+    edgeOf(source, options);
     VoxelImage image = read(source, box, host);
-    Optional<SolidFractions> solid =
-        range.map(
-            grey ->
-                UsageException.orRefused(
-                    () -> SolidFractions.ofGrey(image, grey.get(0), grey.get(1))));
-    PoreSpace space = solid.map(each -> each.below(0.5)).orElse(PoreSpace.of(image, rule));
-    if (walls == Walls.IMB && solid.isEmpty()) {
-      solid = Optional.of(SolidFractions.of(space));
-    }
-    if (space.poreVoxels() == 0) {
+    Rock rock = of(source, box, image, options, walls, range);
+    if (rock.space().poreVoxels() == 0) {
       throw new ImageFileException(
           "image must have pore voxels (--pore-value or --solid-fraction-range says which are pore): file="
               + source.name()
@@ -96,9 +86,53 @@ record Rock(
               + ", "
               + range
                   .map(grey -> "pore_solid=" + grey.get(0) + "," + grey.get(1))
-                  .orElse(rule.toString())
+                  .orElse(options.rule().toString())
               + ", labels="
               + labelsOf(image));
+    }
+    return rock;
+  }
+
+  /**
+   * The edge of a voxel, m, which is there.
+   *
+   * @throws UsageException if it is not known
+   */
+  static OptionalDouble edgeOf(ImageSource source, ImageOptions options) {
+    OptionalDouble edge = options.voxelEdgeOr(source.voxelEdge());
+    if (edge.isEmpty()) {
+      throw new UsageException(
+          "voxel edge must be known, as the file does not say it (give --voxel-edge, in m): file="
+              + source.name());
+    }
+    return edge;
+  }
+
+  /**
+   * The rock of a part that has been read; it may have no pore.
+   *
+   * @param box the part
+   * @param image its voxels
+   * @param range grey values of pore and solid, if the image is not segmented
+   * @throws UsageException if no voxel edge is known
+   */
+  static Rock of(
+      ImageSource source,
+      VoxelBox box,
+      VoxelImage image,
+      ImageOptions options,
+      Walls walls,
+      Optional<List<Integer>> range) {
+    LabelRule rule = options.rule();
+    OptionalDouble edge = edgeOf(source, options);
+    Optional<SolidFractions> solid =
+        range.map(
+            grey ->
+                UsageException.orRefused(
+                    () -> SolidFractions.ofGrey(image, grey.get(0), grey.get(1))));
+    PoreSpace space = solid.map(each -> each.below(0.5)).orElse(PoreSpace.of(image, rule));
+    if (walls == Walls.IMB && solid.isEmpty()) {
+      solid = Optional.of(SolidFractions.of(space));
     }
     Map<String, Object> origin = new LinkedHashMap<>();
     origin.put("image", source.name());
@@ -134,7 +168,7 @@ record Rock(
       return this;
     }
     if (solid.isPresent()) {
-      throw new UsageException("--refine must come with voxels that are solid or not: walls=imb");
+      throw new UsageException(NOT_REFINED);
     }
     host.requireHeap(
         "a rock of " + space.voxels() + " voxels, each cut into " + n * n * n,

@@ -56,7 +56,12 @@ public final class SphFlow {
         .toSteadyState();
   }
 
-  private static void check(FlowOptions options) {
+  /**
+   * Checks that particles can compute a flow with these boundaries.
+   *
+   * @throws IllegalArgumentException if the sides are mirrors or the inlet is of pressure
+   */
+  public static void check(FlowOptions options) {
     if (options.sides() == Sides.MIRROR || options.inlet() == Inlet.PRESSURE) {
       throw new IllegalArgumentException(
           "boundaries of particles must be walls, slabs or periodic: sides="
