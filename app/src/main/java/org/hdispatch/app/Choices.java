@@ -135,6 +135,13 @@ abstract class Choices implements Iterable<String> {
     }
   }
 
+  /** Words for what is done with blocks that reach outside the sample. */
+  static final class OfOutside extends Choices {
+    OfOutside() {
+      super(Outside.values());
+    }
+  }
+
   /** Words for searches of neighbours. */
   static final class OfSearch extends Choices {
     OfSearch() {

@@ -5,6 +5,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.OptionalDouble;
 import java.util.StringJoiner;
+import java.util.function.BiConsumer;
 import org.hdispatch.porous.io.CsvLine;
 
 /**
@@ -37,6 +38,15 @@ final class FlatRow {
     StringJoiner json = new StringJoiner(",\n", "[\n", "\n]\n");
     rows.forEach(row -> json.add(row.toJson().stripTrailing()));
     return json.toString();
+  }
+
+  /** A JSON object of a row that sums up, {@code summary}, and the {@code rows} themselves. */
+  static String toJson(FlatRow summary, List<FlatRow> rows) {
+    return "{\n\"summary\": "
+        + summary.toJson().stripTrailing()
+        + ",\n\"rows\": "
+        + toJson(rows).stripTrailing()
+        + "\n}\n";
   }
 
   /** One JSON object (RFC 8259); unknown is {@code null}. */
@@ -79,6 +89,11 @@ final class FlatRow {
       csv.append(CsvLine.format(row.values.keySet().stream().map(row::text).toList())).append('\n');
     }
     return csv.toString();
+  }
+
+  /** Tells all keys and their values as text. */
+  void forEach(BiConsumer<String, String> listener) {
+    values.keySet().forEach(key -> listener.accept(key, text(key)));
   }
 
   /** A value as text; empty if it is unknown. */

@@ -62,6 +62,7 @@ public final class HDispatch {
     CommandLine commandLine = new CommandLine(new HDispatch());
     commandLine.addSubcommand(new InspectCommand(host));
     commandLine.addSubcommand(new PermeabilityCommand(host));
+    commandLine.addSubcommand(new SurveyCommand(host));
     commandLine.addSubcommand(new DuctCommand(host));
     commandLine.addSubcommand(new SettleCommand(host));
     commandLine.addSubcommand(SphCommand.commandLine(host));

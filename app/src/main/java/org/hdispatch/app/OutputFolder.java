@@ -52,6 +52,11 @@ final class OutputFolder implements AutoCloseable {
     }
   }
 
+  /** The folder itself. */
+  Path path() {
+    return folder;
+  }
+
   /** A file in this folder. */
   Path file(String name) {
     return folder.resolve(name);

@@ -46,6 +46,11 @@ final class OutputOptions {
     return json ? row.toJson() : csv ? row.toCsv() : text;
   }
 
+  /** Several results and what sums them up, in the form asked for; as CSV, the results alone. */
+  String form(FlatRow summary, List<FlatRow> rows, String text) {
+    return json ? FlatRow.toJson(summary, rows) : form(rows, text);
+  }
+
   /** Several results in the form asked for. */
   String form(List<FlatRow> rows, String text) {
     return json ? FlatRow.toJson(rows) : csv ? FlatRow.toCsv(rows) : text;

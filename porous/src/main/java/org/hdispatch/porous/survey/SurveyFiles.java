@@ -221,11 +221,6 @@ public final class SurveyFiles implements AutoCloseable {
     return status.containsKey(job) && status.get(job) != SurveyStatus.FAILED;
   }
 
-  /** How many jobs of this survey or shard have a row. */
-  public int count() {
-    return status.size();
-  }
-
   /** The jobs that have no row, whichever shard they belong to, in rising order. */
   public List<Integer> missing() {
     List<Integer> missing = new ArrayList<>();
@@ -245,6 +240,11 @@ public final class SurveyFiles implements AutoCloseable {
   /** The table of the rows. */
   public Path file() {
     return folder.resolve(shard.fileName() + ".csv");
+  }
+
+  /** Where rows and what they come to are told to programs. */
+  public Path jsonFile() {
+    return folder.resolve(shard.fileName() + ".json");
   }
 
   /** The table of the times. */

@@ -1,0 +1,9 @@
+package org.hdispatch.app;
+
+/** What is done with a block that reaches outside the sample. */
+enum Outside {
+  /** It is flagged, and nothing is computed. */
+  FLAG,
+  /** Its voxels outside are solid, and do not count in porosity. */
+  CUT
+}
