@@ -210,7 +210,8 @@ final class QuinticSums extends VectorSums {
       DoubleVector free = depth.fma(near, DoubleVector.broadcast(QUAD, 1));
       DoubleVector wall = free.blend(most, free.compare(VectorOperators.GT, most));
       DoubleVector mu = DoubleVector.fromArray(QUAD, v, viscosities + last).add(viscosity);
-      DoubleVector pair = volume.mul(volumeJ).mul(slope).mul(mu);
+      DoubleVector bare = volume.mul(volumeJ).mul(slope);
+      DoubleVector pair = bare.mul(mu);
       DoubleVector drag = pair.mul(wall);
       bend = bend.add(pair.mul(free).mul(free.sub(DoubleVector.broadcast(QUAD, 1))));
       DoubleVector pressureJ = DoubleVector.fromArray(QUAD, v, pressures + last);
@@ -243,7 +244,8 @@ final class QuinticSums extends VectorSums {
     DoubleVector free = depth.fma(near, DoubleVector.broadcast(QUAD, 1));
     DoubleVector wall = free.blend(most, free.compare(VectorOperators.GT, most));
     DoubleVector mu = DoubleVector.fromArray(QUAD, v, viscosities + last).add(viscosity);
-    DoubleVector pair = volume.mul(volumeJ).mul(slope).mul(mu);
+    DoubleVector bare = volume.mul(volumeJ).mul(slope);
+    DoubleVector pair = bare.mul(mu);
     DoubleVector drag = pair.mul(wall);
     bend = bend.add(pair.mul(free).mul(free.sub(DoubleVector.broadcast(QUAD, 1))));
     DoubleVector pressureJ = DoubleVector.fromArray(QUAD, v, pressures + last);
@@ -325,8 +327,8 @@ final class QuinticSums extends VectorSums {
       DoubleVector free = depth.fma(near, DoubleVector.broadcast(QUAD, 1));
       DoubleVector wall = free.blend(most, free.compare(VectorOperators.GT, most));
       DoubleVector mu = DoubleVector.fromArray(QUAD, v, viscosities + last).add(viscosity);
-      DoubleVector pair =
-          volume.mul(volumeJ).mul(slope).mul(DoubleVector.broadcast(QUAD, 4).div(mu));
+      DoubleVector bare = volume.mul(volumeJ).mul(slope);
+      DoubleVector pair = bare.mul(DoubleVector.broadcast(QUAD, 4).div(mu));
       DoubleVector drag = pair.mul(wall);
       bend = bend.add(pair.mul(free).mul(free.sub(DoubleVector.broadcast(QUAD, 1))));
       DoubleVector pressureJ = DoubleVector.fromArray(QUAD, v, pressures + last);
@@ -359,7 +361,8 @@ final class QuinticSums extends VectorSums {
     DoubleVector free = depth.fma(near, DoubleVector.broadcast(QUAD, 1));
     DoubleVector wall = free.blend(most, free.compare(VectorOperators.GT, most));
     DoubleVector mu = DoubleVector.fromArray(QUAD, v, viscosities + last).add(viscosity);
-    DoubleVector pair = volume.mul(volumeJ).mul(slope).mul(DoubleVector.broadcast(QUAD, 4).div(mu));
+    DoubleVector bare = volume.mul(volumeJ).mul(slope);
+    DoubleVector pair = bare.mul(DoubleVector.broadcast(QUAD, 4).div(mu));
     DoubleVector drag = pair.mul(wall);
     bend = bend.add(pair.mul(free).mul(free.sub(DoubleVector.broadcast(QUAD, 1))));
     DoubleVector pressureJ = DoubleVector.fromArray(QUAD, v, pressures + last);

@@ -172,7 +172,8 @@ final class WendlandSums extends VectorSums {
       DoubleVector free = depth.fma(near, DoubleVector.broadcast(QUAD, 1));
       DoubleVector wall = free.blend(most, free.compare(VectorOperators.GT, most));
       DoubleVector mu = DoubleVector.fromArray(QUAD, v, viscosities + last).add(viscosity);
-      DoubleVector pair = volume.mul(volumeJ).mul(slope).mul(mu);
+      DoubleVector bare = volume.mul(volumeJ).mul(slope);
+      DoubleVector pair = bare.mul(mu);
       DoubleVector drag = pair.mul(wall);
       bend = bend.add(pair.mul(free).mul(free.sub(DoubleVector.broadcast(QUAD, 1))));
       DoubleVector pressureJ = DoubleVector.fromArray(QUAD, v, pressures + last);
@@ -197,7 +198,8 @@ final class WendlandSums extends VectorSums {
     DoubleVector free = depth.fma(near, DoubleVector.broadcast(QUAD, 1));
     DoubleVector wall = free.blend(most, free.compare(VectorOperators.GT, most));
     DoubleVector mu = DoubleVector.fromArray(QUAD, v, viscosities + last).add(viscosity);
-    DoubleVector pair = volume.mul(volumeJ).mul(slope).mul(mu);
+    DoubleVector bare = volume.mul(volumeJ).mul(slope);
+    DoubleVector pair = bare.mul(mu);
     DoubleVector drag = pair.mul(wall);
     bend = bend.add(pair.mul(free).mul(free.sub(DoubleVector.broadcast(QUAD, 1))));
     DoubleVector pressureJ = DoubleVector.fromArray(QUAD, v, pressures + last);
@@ -271,8 +273,8 @@ final class WendlandSums extends VectorSums {
       DoubleVector free = depth.fma(near, DoubleVector.broadcast(QUAD, 1));
       DoubleVector wall = free.blend(most, free.compare(VectorOperators.GT, most));
       DoubleVector mu = DoubleVector.fromArray(QUAD, v, viscosities + last).add(viscosity);
-      DoubleVector pair =
-          volume.mul(volumeJ).mul(slope).mul(DoubleVector.broadcast(QUAD, 4).div(mu));
+      DoubleVector bare = volume.mul(volumeJ).mul(slope);
+      DoubleVector pair = bare.mul(DoubleVector.broadcast(QUAD, 4).div(mu));
       DoubleVector drag = pair.mul(wall);
       bend = bend.add(pair.mul(free).mul(free.sub(DoubleVector.broadcast(QUAD, 1))));
       DoubleVector pressureJ = DoubleVector.fromArray(QUAD, v, pressures + last);
@@ -297,7 +299,8 @@ final class WendlandSums extends VectorSums {
     DoubleVector free = depth.fma(near, DoubleVector.broadcast(QUAD, 1));
     DoubleVector wall = free.blend(most, free.compare(VectorOperators.GT, most));
     DoubleVector mu = DoubleVector.fromArray(QUAD, v, viscosities + last).add(viscosity);
-    DoubleVector pair = volume.mul(volumeJ).mul(slope).mul(DoubleVector.broadcast(QUAD, 4).div(mu));
+    DoubleVector bare = volume.mul(volumeJ).mul(slope);
+    DoubleVector pair = bare.mul(DoubleVector.broadcast(QUAD, 4).div(mu));
     DoubleVector drag = pair.mul(wall);
     bend = bend.add(pair.mul(free).mul(free.sub(DoubleVector.broadcast(QUAD, 1))));
     DoubleVector pressureJ = DoubleVector.fromArray(QUAD, v, pressures + last);

@@ -189,7 +189,8 @@ enum SumsSource {
           DoubleVector free = depth.fma(near, constant(1));
           DoubleVector wall = free.blend(most, free.compare(VectorOperators.GT, most));
           DoubleVector mu = DoubleVector.fromArray(QUAD, v, viscosities + last).add(viscosity);
-          DoubleVector pair = volume.mul(volumeJ).mul(slope).mul(PAIR);
+          DoubleVector bare = volume.mul(volumeJ).mul(slope);
+          DoubleVector pair = bare.mul(PAIR);
           DoubleVector drag = pair.mul(wall);
           bend = bend.add(pair.mul(free).mul(free.sub(constant(1))));
       """;
