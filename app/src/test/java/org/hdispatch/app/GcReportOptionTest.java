@@ -52,7 +52,13 @@ class GcReportOptionTest {
           ((Number) ((Map<?, ?>) window.get("pauses")).get("count")).intValue(),
           ((List<?>) window.get("timeline")).size());
     }
-    assertEquals(List.of("set-up", "warm-up", "steps", "rest"), windows);
+    boolean warmedUp = ((Number) report.get("warm_up_steps")).longValue() > 0;
+    assertEquals( // the shortest of these runs are over before they are warm
+        warmedUp
+            ? List.of("set-up", "warm-up", "steps", "rest")
+            : List.of("set-up", "steps", "rest"),
+        windows);
+    assertTrue(warmedUp || words.startsWith("settle") || words.startsWith("permeability"));
     assertTrue(((Number) report.get("steps")).longValue() > 0);
     assertTrue(((Number) ((Map<?, ?>) report.get("heap")).get("most_bytes")).longValue() > 0);
     assertTrue(((Map<?, ?>) report.get("jvm")).get("arguments") instanceof List);
@@ -65,7 +71,7 @@ class GcReportOptionTest {
     run("duct --size=100 --steps=10000000", nowhere).assertRefused(3, "gc.json");
     run("sph periodic --particles=27000 --steps=100000000", nowhere).assertRefused(3, "gc.json");
     run("sph couette", nowhere).assertRefused(3, "gc.json");
-    run("settle --nodes-across=20", nowhere).assertRefused(3, "gc.json");
+    run("settle", nowhere).assertRefused(3, "gc.json");
     run("permeability --spheres=sc", nowhere).assertRefused(3, "gc.json");
     run("duct --size=8", folder).assertRefused(3, "must not be a directory");
     assertFalse(Files.exists(nowhere.getParent()));
