@@ -11,7 +11,8 @@ import java.util.Arrays;
  *   <li>The decay of its changes, extrapolated. With D1 the range of k over the last sixth of the
  *       steps and D2 that over the sixth before, the changes shrink by r = D1/D2 each time, and D1
  *       r/(1 - r) remains to come. r below 2/3 counts as 2/3, so that a lucky pause is not taken
- *       for the end.
+ *       for the end. Changes that do not shrink tell nothing, unless thousands of them would still
+ *       be within the tolerance: those are rounding errors.
  *   <li>The imbalance of the fluxes through the sections of the rock, which shows what the decay
  *       cannot: that pressure is still on its way.
  *   <li>What momentum alone must leave after so many steps, exp(-t/t_m) with t_m the time of {@link
@@ -20,29 +21,40 @@ import java.util.Arrays;
  * </ul>
  */
 final class ErrorOfSteadyState {
+  /** Share of the tolerance below which changes are taken for rounding errors. */
+  private static final double ROUNDING = 1e-4;
+
   private final int leastWindow;
   private final double leastRatio;
+  private final double rounding;
   private double[] values = new double[64];
   private int count;
   private double imbalance = Double.POSITIVE_INFINITY;
   private double momentum = 1;
 
-  private ErrorOfSteadyState(int leastWindow, double leastRatio) {
+  private ErrorOfSteadyState(int leastWindow, double leastRatio, double tolerance) {
     this.leastWindow = leastWindow;
     this.leastRatio = leastRatio;
+    rounding = ROUNDING * tolerance;
   }
 
-  /** Of a flow that starts from rest: at least four samples a window. */
-  static ErrorOfSteadyState wherePlain() {
-    return new ErrorOfSteadyState(4, 2.0 / 3);
+  /**
+   * Of a flow that starts from rest: at least four samples a window.
+   *
+   * @param tolerance relative error that is aimed at
+   */
+  static ErrorOfSteadyState wherePlain(double tolerance) {
+    return new ErrorOfSteadyState(4, 2.0 / 3, tolerance);
   }
 
   /**
    * Of a flow whose pressure is corrected between samples: each correction leaves a third of the
    * error or so, and one sample makes a window at first; r below 1/2 counts as 1/2.
+   *
+   * @param tolerance relative error that is aimed at
    */
-  static ErrorOfSteadyState whereCorrected() {
-    return new ErrorOfSteadyState(1, 0.5);
+  static ErrorOfSteadyState whereCorrected(double tolerance) {
+    return new ErrorOfSteadyState(1, 0.5, tolerance);
   }
 
   /**
@@ -81,14 +93,15 @@ final class ErrorOfSteadyState {
     }
     double recent = range(count - 1 - window, count - 1);
     double before = range(count - 1 - 2 * window, count - 1 - window);
-    if (recent == 0) {
-      return 0;
+    double relative = recent / Math.abs(values[count - 1]);
+    if (relative <= rounding) {
+      return relative;
     }
     if (recent >= before) {
       return Double.POSITIVE_INFINITY;
     }
     double ratio = Math.max(leastRatio, recent / before);
-    return recent * ratio / (1 - ratio) / Math.abs(values[count - 1]);
+    return relative * ratio / (1 - ratio);
   }
 
   private double range(int first, int last) {

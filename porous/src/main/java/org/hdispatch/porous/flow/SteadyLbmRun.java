@@ -61,7 +61,10 @@ final class SteadyLbmRun implements Stepping.Flow {
     var relaxation = options.collision().at(relaxationTime);
     interval =
         corrected ? RelaxationChoice.stepsBetweenCorrections(domain, relaxation) : PLAIN_INTERVAL;
-    error = corrected ? ErrorOfSteadyState.whereCorrected() : ErrorOfSteadyState.wherePlain();
+    error =
+        corrected
+            ? ErrorOfSteadyState.whereCorrected(options.tolerance())
+            : ErrorOfSteadyState.wherePlain(options.tolerance());
     force =
         PORE_VELOCITY
             * domain.rock().porosity()

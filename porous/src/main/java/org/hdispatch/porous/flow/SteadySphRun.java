@@ -54,7 +54,7 @@ final class SteadySphRun implements Stepping.Flow {
   private final TimeLoop loop;
   private final Stepping stepping;
   private final CorrectionShare correction = new CorrectionShare();
-  private final ErrorOfSteadyState error = ErrorOfSteadyState.whereCorrected();
+  private final ErrorOfSteadyState error;
   private final double[] sections; // flux through each layer of nodes
   private final double[] gains; // of volume in each layer, in a unit of time
   private long pressureNanos;
@@ -74,6 +74,7 @@ final class SteadySphRun implements Stepping.Flow {
       FlowListener listener) {
     this.porosity = porosity;
     this.options = options;
+    error = ErrorOfSteadyState.whereCorrected(options.tolerance());
     this.percolation = percolation;
     this.domain = domain;
     this.listener = listener;

@@ -7,9 +7,11 @@ import java.util.function.IntToDoubleFunction;
 import org.junit.jupiter.api.Test;
 
 class ErrorOfSteadyStateTest {
+  private static final double TOLERANCE = 1e-3;
+
   @Test
   void knowsNothingBeforeNineSamples() {
-    ErrorOfSteadyState error = ErrorOfSteadyState.wherePlain();
+    ErrorOfSteadyState error = ErrorOfSteadyState.wherePlain(TOLERANCE);
     assertEquals(Double.POSITIVE_INFINITY, error.lastChange());
     for (int n = 0; n < 8; n++) {
       error.add(1 + Math.pow(0.1, n), 0, 0);
@@ -29,7 +31,7 @@ class ErrorOfSteadyStateTest {
 
   @Test
   void isNotFarAboveTheTrueErrorOfOneDecay() {
-    ErrorOfSteadyState error = ErrorOfSteadyState.wherePlain();
+    ErrorOfSteadyState error = ErrorOfSteadyState.wherePlain(TOLERANCE);
     double truth = 0;
     for (int n = 0; n < 200; n++) {
       truth = 0.7 * Math.exp(-0.05 * n);
@@ -50,7 +52,7 @@ class ErrorOfSteadyStateTest {
 
   @Test
   void isInfiniteWhileTheChangesGrow() {
-    ErrorOfSteadyState error = ErrorOfSteadyState.wherePlain();
+    ErrorOfSteadyState error = ErrorOfSteadyState.wherePlain(TOLERANCE);
     for (int n = 0; n < 50; n++) {
       error.add(Math.exp(0.1 * n), 0, 0);
     }
@@ -58,8 +60,20 @@ class ErrorOfSteadyStateTest {
   }
 
   @Test
+  void takesForRoundingWhatThousandsOfWindowsWouldNotAddUpToTheTolerance() {
+    for (double jump : new double[] {0.5, 2}) { // of 1e-4 of the tolerance
+      ErrorOfSteadyState error = ErrorOfSteadyState.whereCorrected(TOLERANCE);
+      for (int n = 0; n < 50; n++) {
+        error.add(1 + n % 2 * jump * 1e-7, 0, 0);
+      }
+      double estimate = jump < 1 ? error.lastChange() : Double.POSITIVE_INFINITY;
+      assertEquals(estimate, error.estimate(), 1e-12);
+    }
+  }
+
+  @Test
   void isNeverBelowTheImbalanceOfTheFluxes() {
-    ErrorOfSteadyState error = ErrorOfSteadyState.wherePlain();
+    ErrorOfSteadyState error = ErrorOfSteadyState.wherePlain(TOLERANCE);
     for (int n = 0; n < 50; n++) {
       error.add(1, 0.03, 0);
     }
@@ -69,7 +83,7 @@ class ErrorOfSteadyStateTest {
 
   @Test
   void isNeverBelowWhatMomentumLeaves() {
-    ErrorOfSteadyState error = ErrorOfSteadyState.wherePlain();
+    ErrorOfSteadyState error = ErrorOfSteadyState.wherePlain(TOLERANCE);
     for (int n = 0; n < 50; n++) {
       error.add(1, 0, 0.2);
     }
@@ -82,7 +96,7 @@ class ErrorOfSteadyStateTest {
   }
 
   private static void assertBounds(IntToDoubleFunction k, double limit, int samples, int from) {
-    ErrorOfSteadyState error = ErrorOfSteadyState.wherePlain();
+    ErrorOfSteadyState error = ErrorOfSteadyState.wherePlain(TOLERANCE);
     for (int n = 0; n < samples; n++) {
       double value = k.applyAsDouble(n);
       error.add(value, 0, 0);
