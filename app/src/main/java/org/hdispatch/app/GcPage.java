@@ -34,13 +34,14 @@ final class GcPage {
    *
    * @param rows of a study, at least one
    * @param command that repeats the study
+   * @param machine where it ran, in words
    * @param files beside the page that hold the same figures
    */
-  static String html(List<GcRow> rows, String command, List<String> files) {
-    return new GcPage(rows).page(command, files);
+  static String html(List<GcRow> rows, String command, String machine, List<String> files) {
+    return new GcPage(rows).page(command, machine, files);
   }
 
-  private String page(String command, List<String> files) {
+  private String page(String command, String machine, List<String> files) {
     StudyPage page = new StudyPage("What enduring scratch is worth", lead());
     page.section("Verdict")
         .verdict(GcVerdict.sentences(runs.rows()).stream().map(GcPage::micro).toList());
@@ -65,13 +66,13 @@ final class GcPage {
       page.section("Step times")
           .paragraph(
               "How many steps took how long, enduring (blue) and per cell (orange); both axes are"
-                  + " logarithmic and the same in all panels. Beside the collector: the 99th"
+                  + " logarithmic and the same in all panels. Beside the collector: the 90th"
                   + " percentile of each.");
       figure(page, "A panel for each JVM and size of the heap.", steps);
     }
     others(page);
     tables(page);
-    page.section("How it was measured").points(method());
+    page.section("How it was measured").points(method(machine));
     page.section("Do it again").command(command).files(files);
     page.section("Sources").points(SOURCES);
     return page.toString();
@@ -134,13 +135,18 @@ final class GcPage {
     }
   }
 
-  private List<String> method() {
+  private List<String> method(String machine) {
     List<GcFigures> all = runs.runs().stream().map(GcRuns.Run::figures).toList();
     List<String> points = new ArrayList<>();
+    points.add("Machine: " + machine + ".");
     points.add(
         "Every row is a JVM of its own, with a heap of fixed size that is touched before anything"
-            + " is measured. Where a case was run several times, the run with the median CPU stands"
-            + " for it above; the table has all of them.");
+            + " is measured. One JVM a case: what the same work takes more from run to run stands in"
+            + " the verdict, and smaller differences mean nothing.");
+    points.add(
+        "Scratch: what the method needs, and an array beside it that brings it up to the size and is"
+            + " written through once for each cell and pass. Thread-local scratch goes with a task"
+            + " of a JDK executor for each cell; all other ways with the dispatcher.");
     points.add(
         "Size of the heap: a multiple of the smallest in which the work runs with Serial and scratch"
             + " per cell, found by bisection on the first JVM.");
@@ -158,14 +164,15 @@ final class GcPage {
     }
     points.add(
         "CPU: processor time of the threads, from the operating system; workers' is that of the"
-            + " threads that step, others' that of the process without them: the collector's, and a"
-            + " little of the compilers', in ticks of 10 ms. Work that a collector leaves to the workers (barriers,"
+            + " threads that step, others' that of the process without them: the collector's, the"
+            + " compilers' and the flight recorder's, in ticks of 10 ms; enduring runs show how much"
+            + " of it is there without any collection. Work that a collector leaves to the workers (barriers,"
             + " slow allocation, moving an object on first use) counts as theirs. Over enduring: CPU"
             + " per cell over that with enduring scratch on the same JVM, collector and heap.");
     points.add(
         "LBO, lower-bound overhead: CPU per step over the least that the workers of any run on the"
-            + " same JVM took for the same work. The true cost of managing memory is at least"
-            + " that.");
+            + " same JVM took for the same work. The true cost of managing memory is about"
+            + " that at least.");
     points.add(
         "Collections: those begun, a concurrent cycle counts once. Pauses: stop-the-world work as"
             + " the collector reports it to the flight recorder (JFR), selected by their start. They"
@@ -177,7 +184,8 @@ final class GcPage {
             + " which only ZGC reports; the sum is over workers.");
     points.add(
         "Step times: one clock reading per step, by the thread that calls it; a step that waits"
-            + " for a pause, a stall or another process is a long one, and its cause is not seen.");
+            + " for a pause, a stall or another process is a long one, and its cause is not seen. The"
+            + " 99th percentile is shown from 100 steps on, the 99.9th from 1000.");
     points.add(
         "Bytes: allocated by the worst worker, as the JVM counts them for each thread. Peak heap:"
             + " as seen at collections and at the end, so not what was in use between them.");

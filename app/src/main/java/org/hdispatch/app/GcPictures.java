@@ -271,9 +271,9 @@ final class GcPictures {
     Optional<GcFigures> anew =
         figures(collector, ScratchPolicy.PER_CELL, like.java(), like.heapFactor());
     for (Optional<GcFigures> each : List.of(enduring, anew)) {
-      tails.add(each.map(f -> Numbers.plain(1e-3 * f.stepTimes().p99Micros(), 3)).orElse("\u2013"));
+      tails.add(each.map(f -> Numbers.plain(1e-3 * f.stepTimes().p90Micros(), 3)).orElse("\u2013"));
     }
-    plot.lane(collector.title(), "p99: " + String.join(" and ", tails) + " ms");
+    plot.lane(collector.title(), "p90: " + String.join(" and ", tails) + " ms");
     anew.ifPresent(each -> outline(plot, each.stepTimes(), ink(ScratchPolicy.PER_CELL)));
     enduring.ifPresent(each -> outline(plot, each.stepTimes(), ink(ScratchPolicy.ENDURING)));
   }

@@ -116,28 +116,30 @@ final class GcPriceVerdict {
       if (extra > 0) {
         double workers = perCell(heap).stream().mapToDouble(Pair::extraOfWorkers).sum();
         double share = Math.max(0, Math.min(1, workers / extra));
-        roomy = shares.isEmpty() ? share : roomy;
+        roomy = heap == heaps.get(0) ? share : roomy;
         shares.add(Math.round(100 * share) + " %" + GcPhrases.inHeap(heap));
       }
     }
     return shares.isEmpty()
         ? Optional.empty()
         : Optional.of(
-            "Of what this costs, the workers themselves spend "
+            "Of what this costs, over all collectors, the workers themselves spend "
                 + String.join(" and ", shares)
-                + "; the rest is other threads', the collector's. "
+                + "; the rest is other threads', the collector's above all."
                 + (roomy > 0.5
-                    ? "With room in the heap most of the price is no work of the collector: workers"
-                        + " zero each new scratch and stream it through their caches, which no"
-                        + " collector can hide."
-                    : "Even with room in the heap most of the price is the collector's work."));
+                    ? " So with room in the heap most of the price is paid by the threads that step:"
+                        + " they zero each new scratch, stream it through their caches, and pass the"
+                        + " collector's barriers, which is not told apart here."
+                    : ""));
   }
 
   /** What other ways to keep scratch cost, that should be nearly as cheap. */
   Optional<String> alternatives() {
     Map<ScratchPolicy, String> names = new LinkedHashMap<>();
     names.put(ScratchPolicy.PER_STEP, "made anew for every step");
-    names.put(ScratchPolicy.THREAD_LOCAL_POOL, "in a ThreadLocal of a pool's threads");
+    names.put(
+        ScratchPolicy.THREAD_LOCAL_POOL,
+        "in a ThreadLocal of a pool's threads, with a task of the JDK for each cell");
     names.put(ScratchPolicy.OBJECT_POOL, "borrowed from an object pool");
     List<String> said = new ArrayList<>();
     List<Pair> all = new ArrayList<>();
@@ -150,8 +152,12 @@ final class GcPriceVerdict {
             said.add(name + ", " + cost + GcPhrases.allocated(pairs));
           }
         });
-    List<Pair> dear = all.stream().filter(pair -> pair.ratio() > NEARLY).toList();
-    boolean allocate = all.stream().allMatch(pair -> pair.other().bytesPerStep() > 0);
+    double nearly = Math.max(NEARLY, runs.noise(setting));
+    List<Pair> dear = all.stream().filter(pair -> pair.ratio() > nearly).toList();
+    boolean allocate =
+        all.stream()
+            .allMatch(
+                pair -> pair.other().bytesPerStep() > 0 && pair.enduring().bytesPerStep() == 0);
     return said.isEmpty()
         ? Optional.empty()
         : Optional.of(
@@ -179,6 +185,19 @@ final class GcPriceVerdict {
             .toList());
   }
 
+  /** How much the same work takes more in one run than in another. */
+  Optional<String> noise() {
+    double noise = runs.noise(setting);
+    return noise == 1
+        ? Optional.empty()
+        : Optional.of(
+            "What these ratios can tell: the same work with enduring scratch, on the same JVM and"
+                + " collector, without any collection, took up to "
+                + Numbers.ratio(noise)
+                + " times as much CPU in one run as in another. Ratios closer to 1 mean nothing,"
+                + " and who is least or most may be chance.");
+  }
+
   /** What a ThreadLocal costs where each cell has a virtual thread. */
   Optional<String> virtualThreads() {
     List<Pair> pairs = runs.pairs(setting, ScratchPolicy.THREAD_LOCAL_VIRTUAL);
@@ -192,7 +211,10 @@ final class GcPriceVerdict {
                 .allMatch(
                     pair ->
                         perCellLike(pair.of())
-                            .map(cell -> pair.ratio() >= NO_BETTER * cell.ratio())
+                            .map(
+                                cell ->
+                                    cell.ratio() > NEARLY
+                                        && pair.ratio() >= NO_BETTER * cell.ratio())
                             .orElse(true));
     return Optional.of(
         "A ThreadLocal of virtual threads, one for each cell, costs "

@@ -12,6 +12,7 @@ import org.hdispatch.app.study.GcCase;
 import org.hdispatch.app.study.GcFigures;
 import org.hdispatch.app.study.GcRow;
 import org.hdispatch.app.study.ScratchPolicy;
+import org.hdispatch.app.study.StudyScope;
 import org.hdispatch.app.study.Workload;
 
 /**
@@ -116,9 +117,9 @@ final class GcRuns {
       return other.workers() - enduring.workers();
     }
 
-    /** 99th percentile of the step time over that with enduring scratch. */
+    /** 90th percentile of the step time over that with enduring scratch. */
     double tailRatio() {
-      return other.figures().stepTimes().p99Micros() / enduring.figures().stepTimes().p99Micros();
+      return other.figures().stepTimes().p90Micros() / enduring.figures().stepTimes().p90Micros();
     }
   }
 
@@ -185,11 +186,39 @@ final class GcRuns {
         .map(row -> Setting.of(row.of()))
         .distinct()
         .sorted(
-            Comparator.comparingInt((Setting s) -> -pairs(s, ScratchPolicy.PER_CELL).size())
+            Comparator.comparing((Setting s) -> !isStandard(s))
+                .thenComparingInt(s -> -pairs(s, ScratchPolicy.PER_CELL).size())
                 .thenComparingInt(s -> -(int) cases(s).count())
                 .thenComparing(Setting::workload)
                 .thenComparingInt(Setting::scratchBytes))
         .toList();
+  }
+
+  /** Whether it is the one that every study has, and there is something to compare. */
+  private boolean isStandard(Setting setting) {
+    return setting.workload() == Workload.LBM
+        && setting.scratchBytes() == StudyScope.STANDARD
+        && !pairs(setting, ScratchPolicy.PER_CELL).isEmpty();
+  }
+
+  /**
+   * How much the same work differs from run to run: the largest ratio of two runs with enduring
+   * scratch on one JVM and collector. Where nothing is collected, the size of the heap is no reason
+   * to differ. 1 if there are no two such runs.
+   */
+  double noise(Setting setting) {
+    double noise = 1;
+    List<Run> enduring = runs(setting, ScratchPolicy.ENDURING);
+    for (Run a : enduring) {
+      for (Run b : enduring) {
+        if (a.of().java().equals(b.of().java())
+            && a.of().collector() == b.of().collector()
+            && a.figures().collections() + b.figures().collections() == 0) {
+          noise = Math.max(noise, a.cpu() / b.cpu());
+        }
+      }
+    }
+    return noise;
   }
 
   private Stream<GcCase> cases(Setting setting) {

@@ -126,7 +126,7 @@ final class GcStopVerdict {
     for (double heap : runs.heaps(setting)) {
       List<Pair> pairs =
           runs.pairs(setting, ScratchPolicy.PER_CELL, heap).stream()
-              .filter(pair -> pair.enduring().figures().stepTimes().p99Micros() > 0)
+              .filter(pair -> pair.enduring().figures().stepTimes().p90Micros() > 0)
               .toList();
       if (!pairs.isEmpty()) {
         said.add(
@@ -139,7 +139,7 @@ final class GcStopVerdict {
     return said.isEmpty()
         ? Optional.empty()
         : Optional.of(
-            "Against enduring scratch the 99th percentile of the step time is "
+            "Against enduring scratch the 90th percentile of the step time is "
                 + String.join("; ", said)
                 + ".");
   }

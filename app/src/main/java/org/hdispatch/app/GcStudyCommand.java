@@ -121,18 +121,30 @@ final class GcStudyCommand implements Callable<Integer> {
     try (OutputFolder folder = OutputFolder.open(output)) {
       List<String> given = spec.root().commandLine().getParseResult().originalArgs();
       String command = "./hdispatch " + String.join(" ", given);
-      folder.write(COMMAND, command + "\n");
+      String machine = machine();
+      folder.write(COMMAND, command + "\n" + machine + "\n");
       run(jdks);
-      report(output, folder, command);
+      report(output, folder, List.of(command, machine));
     }
     return ExitCode.DONE.code();
   }
 
-  /** What the runs in a folder were asked for with. */
-  private static String commandOf(Path folder) throws ImageFileException {
+  private static String machine() {
+    return Runtime.getRuntime().availableProcessors()
+        + " processors, "
+        + System.getProperty("os.name")
+        + " "
+        + System.getProperty("os.version")
+        + ", "
+        + System.getProperty("os.arch");
+  }
+
+  /** What the runs in a folder were asked for with, and where they were made. */
+  private static List<String> commandOf(Path folder) throws ImageFileException {
     Path file = folder.resolve(COMMAND);
     try {
-      return Files.exists(file) ? Files.readString(file).strip() : "./hdispatch " + NAME;
+      List<String> lines = Files.exists(file) ? Files.readAllLines(file) : List.of();
+      return lines.size() == 2 ? lines : List.of("./hdispatch " + NAME, "not known");
     } catch (IOException e) {
       throw new ImageFileException("file of a study must be readable: file=" + file, e);
     }
@@ -201,7 +213,8 @@ final class GcStudyCommand implements Callable<Integer> {
     return String.format("  %d:%02d left  ", left / 60, left % 60);
   }
 
-  private void report(Path from, OutputFolder folder, String command) throws ImageFileException {
+  private void report(Path from, OutputFolder folder, List<String> origin)
+      throws ImageFileException {
     List<GcRow> rows;
     String json;
     try {
@@ -216,7 +229,7 @@ final class GcStudyCommand implements Callable<Integer> {
     List<String> files = List.of(NAME + ".csv", NAME + ".json");
     folder.write(files.get(0), FlatRow.toCsv(GcStudyTable.rows(rows)));
     folder.write(files.get(1), json);
-    folder.write(NAME + ".html", GcPage.html(rows, command, files));
+    folder.write(NAME + ".html", GcPage.html(rows, origin.get(0), origin.get(1), files));
     PrintWriter out = spec.commandLine().getOut();
     out.println(GcStudyTable.text(rows));
     GcVerdict.sentences(rows).forEach(out::println);

@@ -28,7 +28,7 @@ final class GcStudyTable {
                 "policy",
                 "steps/s",
                 "us/cell",
-                "+ gc",
+                "+ other",
                 "cost",
                 "gcs",
                 "pause ms",
@@ -36,7 +36,7 @@ final class GcStudyTable {
                 "stopped ms",
                 "stalls",
                 "p50 ms",
-                "p99 ms",
+                "p90 ms",
                 "bytes/step");
     StringBuilder dead = new StringBuilder();
     for (GcRow row : rows) {
@@ -76,7 +76,7 @@ final class GcStudyTable {
       millis(figures.stopped()),
       figures.stalls().count() < 0 ? "unknown" : Long.toString(figures.stalls().count()),
       number("%.1f", MILLI * figures.stepTimes().p50Micros()),
-      number("%.1f", MILLI * figures.stepTimes().p99Micros()),
+      number("%.1f", MILLI * figures.stepTimes().p90Micros()),
       figures.bytesPerStep() < 0 ? "unknown" : number("%.0f", figures.bytesPerStep())
     };
   }
@@ -141,6 +141,7 @@ final class GcStudyTable {
     line.put("reaching_ms", is ? figures.reachingMillis() : null);
     put(line, "stall", is ? figures.stalls() : null);
     line.put("step_p50_us", is ? times.p50Micros() : null)
+        .put("step_p90_us", is ? times.p90Micros() : null)
         .put("step_p99_us", is ? times.p99Micros() : null)
         .put("step_p999_us", is ? times.p999Micros() : null)
         .put("step_max_us", is ? times.maxMicros() : null)

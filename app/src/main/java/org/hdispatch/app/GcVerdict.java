@@ -16,6 +16,7 @@ import org.hdispatch.app.study.Collector;
 import org.hdispatch.app.study.GcCase;
 import org.hdispatch.app.study.GcRow;
 import org.hdispatch.app.study.ScratchPolicy;
+import org.hdispatch.app.study.Workload;
 
 /**
  * What follows from a study of garbage collection, in sentences. Each is there only if the rows it
@@ -52,6 +53,7 @@ final class GcVerdict {
     List<String> said = new ArrayList<>();
     enduring().ifPresent(said::add);
     said.addAll(price.perCell());
+    price.noise().ifPresent(said::add);
     Stream.of(
             stops.standstill(),
             stops.stalls(),
@@ -74,6 +76,7 @@ final class GcVerdict {
       return Optional.empty();
     }
     List<Run> except = all.stream().filter(GcVerdict::reclaims).toList();
+    boolean grows = except.stream().anyMatch(run -> run.of().workload() == Workload.SPH);
     long unknown = all.stream().filter(run -> run.bytesPerStep() < 0).count();
     String said =
         "Enduring scratch: no collection, no pause and 0 bytes per step in "
@@ -95,7 +98,11 @@ final class GcVerdict {
                     except.stream()
                         .map(run -> phrases.full(run.of()) + ": " + reclaimed(run))
                         .toList())
-                + ".");
+                + "."
+                + (grows
+                    ? " Cells of particles grow when they hold more than ever before, more and more"
+                        + " seldom."
+                    : ""));
   }
 
   private static <T> String names(List<T> all, Function<T, String> name) {

@@ -110,19 +110,19 @@ final class SoakOptions {
     List<SoakJob> jobs = new ArrayList<>();
     for (Workload each : methods.workloads) {
       long usual = each == Workload.LBM ? LBM_STEPS : SPH_STEPS;
-      long count = checked("steps", steps == null ? usual : steps);
+      long count = checked("steps", SoakJob.LEAST_STEPS, steps == null ? usual : steps);
       long before =
           warmUp == null
               ? Math.max(LEAST_WARM_UP, count / WARM_UP_SHARE)
-              : checked("warm-up steps", warmUp);
+              : checked("warm-up steps", 1, warmUp);
       jobs.add(new SoakJob(each, before, count, threads, lifetime));
     }
     return jobs;
   }
 
-  private static long checked(String what, long count) {
-    if (count < 1 || count > MOST) {
-      throw new UsageException(what + " must number 1 to " + MOST + ": steps=" + count);
+  private static long checked(String what, long least, long count) {
+    if (count < least || count > MOST) {
+      throw new UsageException(what + " must number " + least + " to " + MOST + ": steps=" + count);
     }
     return count;
   }

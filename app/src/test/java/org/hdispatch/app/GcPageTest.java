@@ -24,7 +24,8 @@ class GcPageTest {
 
   /** A page as XML, which says nothing that is no number or not there. */
   private static Document page(List<GcRow> rows) throws Exception {
-    String html = GcPage.html(rows, "./hdispatch gc-study --output a && b", List.of("a.csv"));
+    String html =
+        GcPage.html(rows, "./hdispatch gc-study --output a && b", "a machine", List.of("a.csv"));
     for (String bad : List.of("NaN", "null", "Infinity", "unknown", "Optional")) {
       assertFalse(html.contains(bad), bad);
     }
@@ -136,8 +137,9 @@ class GcPageTest {
     GcCase of = GcSamples.of(GcSamples.OLD, Collector.SHENANDOAH, ScratchPolicy.PER_CELL, 2);
     GcRow row = GcSamples.collecting(of, 30, 4, 3, not, not, not, -1);
     Document page = page(List.of(row));
-    // over enduring; 3 of pauses; stopped and reaching; stalls and their sum; bytes
-    assertEquals(9, count(page, "td", "\u2013"));
+    // over enduring; 3 of pauses; stopped and reaching; stalls and their sum; p99 and p99.9 of
+    // few steps; bytes
+    assertEquals(11, count(page, "td", "\u2013"));
     assertEquals(1, count(page, "text", "pauses not measured"));
   }
 

@@ -8,6 +8,7 @@ import java.nio.file.Path;
 import java.time.Duration;
 import java.util.ArrayList;
 import java.util.Arrays;
+import java.util.Comparator;
 import java.util.List;
 import java.util.concurrent.CancellationException;
 import java.util.concurrent.TimeUnit;
@@ -83,6 +84,9 @@ public record ChildJvm(Jdk jdk, Path folder) {
   }
 
   private Ended end(List<String> command, Duration patience) throws IOException {
+    // Its own: a JVM that dies leaves what Flight Recorder has written.
+    Path temporary = Files.createTempDirectory(folder, "tmp");
+    command.add(1, "-Djava.io.tmpdir=" + temporary.toAbsolutePath());
     File out = folder.resolve(OUT).toFile(); // files: a pipe that nobody reads fills up
     File err = folder.resolve(ERR).toFile();
     Process process =
@@ -93,12 +97,20 @@ public record ChildJvm(Jdk jdk, Path folder) {
             .start();
     try {
       boolean inTime = process.waitFor(patience.toMillis(), TimeUnit.MILLISECONDS);
+      if (Thread.interrupted()) { // Ctrl-C ends the child too
+        throw new InterruptedException();
+      }
       return new Ended(inTime ? process.exitValue() : TOO_LONG, text(out), text(err));
     } catch (InterruptedException e) {
       Thread.currentThread().interrupt();
       throw new CancellationException("a child JVM was waited for");
     } finally {
-      process.destroyForcibly(); // nothing, if it has ended
+      process.destroyForcibly().onExit().join(); // at once, if it has ended
+      try (Stream<Path> left = Files.walk(temporary)) {
+        for (Path each : left.sorted(Comparator.reverseOrder()).toList()) {
+          Files.delete(each);
+        }
+      }
       Files.deleteIfExists(out.toPath());
       Files.deleteIfExists(err.toPath());
     }

@@ -1,12 +1,10 @@
 package org.hdispatch.app.study;
 
-import java.util.ArrayList;
 import java.util.List;
-import java.util.concurrent.Callable;
 import java.util.concurrent.CancellationException;
-import java.util.concurrent.ExecutionException;
+import java.util.concurrent.CountDownLatch;
 import java.util.concurrent.ExecutorService;
-import java.util.concurrent.Future;
+import java.util.concurrent.atomic.AtomicReference;
 import org.hdispatch.cell.CellKey;
 import org.hdispatch.cell.CellMap;
 import org.hdispatch.cell.KeyOrder;
@@ -63,24 +61,29 @@ final class ExecutorScheme<C, S> implements Scheme<Object, Void> {
 
   private void run(Pass<C, S> pass, Tick tick) {
     CellMap<C> cells = inner.cells();
-    List<Callable<Void>> tasks = new ArrayList<>(cells.size());
+    CountDownLatch left = new CountDownLatch(cells.size());
+    AtomicReference<Throwable> failure = new AtomicReference<>();
     for (int n = 0; n < cells.size(); n++) {
       C cell = cells.cellAt(n);
-      tasks.add(
+      executor.execute(
           () -> {
-            pass.kernel().process(cell, scratch.get(), tick);
-            return null;
+            try {
+              pass.kernel().process(cell, scratch.get(), tick);
+            } catch (Throwable e) { // the caller tells it
+              failure.compareAndSet(null, e);
+            } finally {
+              left.countDown();
+            }
           });
     }
     try {
-      for (Future<Void> each : executor.invokeAll(tasks)) {
-        each.get();
-      }
+      left.await(); // once: a wait for each task costs more than many a cell
     } catch (InterruptedException e) {
       Thread.currentThread().interrupt();
       throw new CancellationException();
-    } catch (ExecutionException e) {
-      throw new IllegalStateException("pass '" + pass.name() + "' failed", e.getCause());
+    }
+    if (failure.get() != null) {
+      throw new IllegalStateException("pass '" + pass.name() + "' failed", failure.get());
     }
   }
 }

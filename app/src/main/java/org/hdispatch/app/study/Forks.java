@@ -13,6 +13,8 @@ import java.util.stream.Stream;
 
 /** Runs cases of the study, each in a JVM of its own. */
 final class Forks {
+  private static final String NO_END = "no end within ";
+  private static final String EXIT = "exit code ";
   private static final int MOST_TO_TELL = 300; // characters
 
   private final Path folder;
@@ -72,7 +74,7 @@ final class Forks {
       }
       String why =
           ended.code() == ChildJvm.TOO_LONG
-              ? "no end within " + Math.round(patienceSeconds) + " s"
+              ? NO_END + Math.round(patienceSeconds) + " s"
               : why(Stream.concat(ended.out().lines(), ended.err().lines()).toList(), ended.code());
       return new GcRow(what, why, Optional.empty());
     } finally {
@@ -93,6 +95,11 @@ final class Forks {
     return options;
   }
 
+  /** Whether what ended a JVM may have come from outside, and another time would not. */
+  static boolean isAccident(String why) {
+    return why.startsWith(NO_END) || why.startsWith(EXIT);
+  }
+
   /** What a JVM said before it died: the first line that is neither a warning nor of its log. */
   static String why(List<String> output, int exitValue) {
     for (int n = 0; n < output.size(); n++) {
@@ -108,6 +115,6 @@ final class Forks {
         return all.length() > MOST_TO_TELL ? all.substring(0, MOST_TO_TELL) : all;
       }
     }
-    return "exit code " + exitValue;
+    return EXIT + exitValue;
   }
 }

@@ -77,5 +77,23 @@ public record GcFigures(
       double p999Micros,
       double maxMicros,
       List<Double> edgesMicros,
-      List<Long> counts) {}
+      List<Long> counts) {
+
+    /** Number of steps. */
+    public long steps() {
+      return counts.stream().mapToLong(Long::longValue).sum();
+    }
+
+    /** 90th percentile, us: the upper edge of its class, 0 without steps. */
+    public double p90Micros() {
+      long below = 0;
+      for (int n = 0; n < counts.size(); n++) {
+        below += counts.get(n);
+        if (below > 0 && below >= 0.9 * steps()) {
+          return edgesMicros.get(n);
+        }
+      }
+      return 0;
+    }
+  }
 }

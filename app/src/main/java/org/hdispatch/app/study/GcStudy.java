@@ -29,6 +29,7 @@ public final class GcStudy {
 
   private final List<Jdk> jdks;
   private final List<GcCase> cases;
+  private final int threads;
   private final double seconds;
   private final RowFiles files;
   private final Forks forks;
@@ -49,6 +50,7 @@ public final class GcStudy {
   GcStudy(List<Jdk> jdks, List<GcCase> cases, int threads, double seconds, Path folder) {
     this.jdks = List.copyOf(jdks);
     this.cases = List.copyOf(cases);
+    this.threads = threads;
     this.seconds = seconds;
     files = new RowFiles(folder);
     forks = new Forks(folder, threads);
@@ -94,8 +96,10 @@ public final class GcStudy {
     return row.isPresent()
         && row.get()
             .figures()
-            .map(figures -> figures.seconds() >= LONG_ENOUGH * seconds)
-            .orElse(true);
+            .map(
+                figures ->
+                    figures.seconds() >= LONG_ENOUGH * seconds && figures.workers() == threads)
+            .orElse(!Forks.isAccident(row.get().why()));
   }
 
   private long smallestHeap(GcCase run, Listener listener, int number, int of) throws IOException {

@@ -5,7 +5,7 @@ import java.io.IOException;
 /** Finds the smallest heap by bisection. */
 final class HeapSearch {
   private static final long MIB = 1 << 20;
-  private static final long LEAST = 16; // MiB; no workload runs in it
+  private static final long LEAST = 2; // MiB; no workload runs in it
   private static final long FIRST = 160; // MiB; each should
   private static final long MOST = 16_384; // MiB
   private static final double SECONDS = 0.2; // some hundred collections, where it is tight

@@ -95,7 +95,7 @@ public final class Soak {
     List<String> options = new ArrayList<>(collector.options());
     options.addAll(withoutClock(collector));
     options.addAll(List.of("-Xms" + heap, "-Xmx" + heap));
-    if (!jvm.knows(options)) {
+    if (!jvm.knows(collector.options())) {
       return result(collector, heap, Verdict.LEFT_OUT, "not in this JDK", Optional.empty());
     }
     Path log = jvm.folder().resolve(LOG);

@@ -32,7 +32,7 @@ final class SoakChild {
   static final String LIVE_SET = "LIVE_SET";
 
   /** Parts of a run whose bytes are counted apart. */
-  static final int PARTS = 100;
+  static final int PARTS = SoakJob.LEAST_STEPS;
 
   private static final int DUCT_SIDE = 16;
   private static final int BUNDLE = 8;

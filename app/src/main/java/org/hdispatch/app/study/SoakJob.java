@@ -15,17 +15,21 @@ import org.hdispatch.dispatch.ScratchLifetime;
 public record SoakJob(
     Workload workload, long warmUpSteps, long steps, int threads, ScratchLifetime lifetime) {
 
+  /** Least steps that count: one for each part of a run. */
+  public static final int LEAST_STEPS = 100;
+
   /**
    * Checks the numbers.
    *
-   * @throws IllegalArgumentException if there is nothing to step
+   * @throws IllegalArgumentException if there is too little to step
    */
   public SoakJob {
     if (workload != Workload.LBM && workload != Workload.SPH) {
       throw new IllegalArgumentException("soak must be of LBM or SPH: workload=" + workload);
     }
-    if (steps < 1) {
-      throw new IllegalArgumentException("steps must number at least 1: steps=" + steps);
+    if (steps < LEAST_STEPS) {
+      throw new IllegalArgumentException(
+          "steps must number at least " + LEAST_STEPS + ": steps=" + steps);
     }
     if (warmUpSteps < 1) {
       throw new IllegalArgumentException(

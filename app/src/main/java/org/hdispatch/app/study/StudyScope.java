@@ -13,7 +13,7 @@ public enum StudyScope {
   FULL;
 
   /** The size of scratch that most runs have. */
-  static final int STANDARD = 64 << 10;
+  public static final int STANDARD = 64 << 10;
 
   private static final int SMALL = 4 << 10;
   private static final int LARGE = 1 << 20;
@@ -55,6 +55,9 @@ public enum StudyScope {
     if (run.policy() == ScratchPolicy.THREAD_LOCAL_VIRTUAL
         && jdk.feature() < FIRST_WITH_VIRTUAL_THREADS) {
       return false;
+    }
+    if (run.collector() == Collector.EPSILON && run.heapFactor() < ROOMY) {
+      return false; // what the set-up leaves behind stays
     }
     boolean method = run.workload() == Workload.LBM || run.workload() == Workload.SPH;
     if (method && run.scratchBytes() == SMALL) {

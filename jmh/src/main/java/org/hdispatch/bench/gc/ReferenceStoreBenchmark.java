@@ -43,7 +43,7 @@ import org.openjdk.jmh.annotations.Warmup;
  * slower than the index; under G1 in between, for its barrier looks first whether the two objects
  * lie in the same region. Seen, in a short run on two cores, its readings half their mean apart:
  * 1.8 times the index, 1.6 with the look before, 2.3 under G1, whose barrier does more than mark.
- * So references cost twice the index, and sharing of cards could not be told from the rest: more
+ * So references cost more than the index; sharing of cards could not be told from the rest: more
  * workers would show it, if anything.
  *
  * <pre>{@code
