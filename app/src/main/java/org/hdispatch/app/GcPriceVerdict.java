@@ -167,7 +167,9 @@ final class GcPriceVerdict {
                 + (dear.isEmpty()
                     ? "That is nearly as cheap"
                         + (allocate ? "; what enduring scratch adds is exactly 0 bytes." : ".")
-                    : "Not nearly as cheap: " + dearest(dear) + "."));
+                    : "Dearer by more than runs differ by themselves: "
+                        + dearest(dear)
+                        + "."));
   }
 
   private String dearest(List<Pair> dear) {
