@@ -57,6 +57,7 @@ public final class WholeFiles {
                 StandardOpenOption.TRUNCATE_EXISTING,
                 StandardOpenOption.WRITE)) {
           content.writeTo(channel);
+          channel.force(true); // or else a power cut may leave an empty file under the name
         }
         move(part, absolute);
       } finally {

@@ -64,8 +64,8 @@ public final class SurveyFiles implements AutoCloseable {
    * @param settings what the rows depend on
    * @param figures columns of {@link SurveyRow#figures()}
    * @param times columns of times, the first being that of the job
-   * @throws ImageFileException if a file cannot be read or written, is not what it should be, or
-   *     another process writes to it
+   * @throws ImageFileException if a file cannot be read or written, is not what it should be, there
+   *     are rows without settings, or another process writes to it
    * @throws IllegalArgumentException if the folder holds a survey with other settings
    */
   public static SurveyFiles open(
@@ -87,6 +87,7 @@ public final class SurveyFiles implements AutoCloseable {
         }
       }
       if (known.isEmpty()) {
+        requireNoRows(folder.resolve(shard.fileName() + ".csv"), SurveyRow.columns(figures));
         held.write(settings);
       }
       return new SurveyFiles(
@@ -99,6 +100,13 @@ public final class SurveyFiles implements AutoCloseable {
     } catch (ImageFileException | RuntimeException e) {
       held.close();
       throw e;
+    }
+  }
+
+  /** Rows of unknown settings may be of another image, or of another flow. */
+  private static void requireNoRows(Path file, List<String> columns) throws ImageFileException {
+    if (!RowFile.read(file, columns).lines().isEmpty()) {
+      throw new ImageFileException("rows must have their settings beside them: file=" + file);
     }
   }
 

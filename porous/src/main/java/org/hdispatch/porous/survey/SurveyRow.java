@@ -111,9 +111,4 @@ public record SurveyRow(
     String value = figures.getOrDefault(column, "");
     return value.isEmpty() ? OptionalDouble.empty() : OptionalDouble.of(Double.parseDouble(value));
   }
-
-  /** Whether there is a permeability, be it 0. */
-  public boolean hasPermeability() {
-    return status == SurveyStatus.DONE || status == SurveyStatus.DOES_NOT_PERCOLATE;
-  }
 }

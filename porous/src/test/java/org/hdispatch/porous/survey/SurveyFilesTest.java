@@ -101,13 +101,29 @@ class SurveyFilesTest {
 
   @Test
   void settingsThatWereNotWrittenToTheirEndAreWrittenAnew() throws IOException {
-    goOn(Shard.WHOLE);
+    open(Shard.WHOLE).close();
     byte[] whole = table("survey.properties");
     for (int length = 0; length < whole.length; length++) {
       Files.write(folder.resolve("survey.properties"), Arrays.copyOf(whole, length));
       open(Shard.WHOLE).close();
       assertArrayEquals(whole, table("survey.properties"));
     }
+  }
+
+  @Test
+  void rowsWithoutTheirSettingsAreRefused() throws IOException {
+    goOn(Shard.WHOLE);
+    byte[] whole = table("survey.properties");
+    Files.delete(folder.resolve("survey.properties"));
+    for (int time = 0; time < 2; time++) { // the first refusal must not make them known
+      Throwable refused = assertThrows(ImageFileException.class, () -> open(Shard.WHOLE));
+      assertEquals(
+          "rows must have their settings beside them: file=" + folder.resolve("survey.csv"),
+          refused.getMessage());
+    }
+    open(Shard.parse("1/2")).close();
+    Files.write(folder.resolve("survey.properties"), whole);
+    goOn(Shard.WHOLE);
   }
 
   @Test
