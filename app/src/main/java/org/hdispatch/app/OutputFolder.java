@@ -1,6 +1,7 @@
 package org.hdispatch.app;
 
 import java.io.IOException;
+import java.nio.file.FileAlreadyExistsException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayDeque;
@@ -46,7 +47,14 @@ final class OutputFolder implements AutoCloseable {
       if (missing.getParent() != null) {
         makeWithParents(missing.getParent());
       }
-      Files.createDirectory(missing);
+      try {
+        Files.createDirectory(missing);
+      } catch (FileAlreadyExistsException e) {
+        if (Files.isDirectory(missing)) {
+          return; // another process made it meanwhile, as shards do that start together
+        }
+        throw e;
+      }
       made.push(missing);
       missing.toFile().deleteOnExit(); // if it is empty then: Ctrl-C may leave no time to close
     }
