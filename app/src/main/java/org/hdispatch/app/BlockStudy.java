@@ -38,17 +38,11 @@ final class BlockStudy {
    * A block that has been read.
    *
    * @param box where it lies
-   * @param check checksum of its labels
    * @param outside share of its voxels outside the sample
    * @param rock its rock, in voxels as fine as asked for; empty if nothing is to be computed
    * @param inspected what can be said of it without a flow
    */
-  record Block(
-      VoxelBox box,
-      long check,
-      double outside,
-      Optional<Rock> rock,
-      Map<String, String> inspected) {}
+  record Block(VoxelBox box, double outside, Optional<Rock> rock, Map<String, String> inspected) {}
 
   /**
    * A job that has been done.
@@ -117,7 +111,6 @@ final class BlockStudy {
 
   private Block inspect(VoxelBox box) throws ImageFileException {
     VoxelImage voxels = Rock.read(source, box, host);
-    long check = checksum(voxels);
     long[] histogram = voxels.histogram();
     long beyond = 0;
     for (int label = 0; label < outsideLabels.length; label++) {
@@ -127,7 +120,7 @@ final class BlockStudy {
     Map<String, String> inspected = new LinkedHashMap<>();
     inspected.put("outside_fraction", Double.toString(share));
     if (beyond > 0 && (outside == Outside.FLAG || beyond == box.voxels())) {
-      return new Block(box, check, share, Optional.empty(), inspected);
+      return new Block(box, share, Optional.empty(), inspected);
     }
     Rock rock =
         Rock.of(
@@ -144,7 +137,7 @@ final class BlockStudy {
           "porosity_connected_" + Choices.word(axis),
           Double.toString(found.connectedPorosity() / (1 - share)));
     }
-    return new Block(box, check, share, Optional.of(rock.refined(refine, host)), inspected);
+    return new Block(box, share, Optional.of(rock.refined(refine, host)), inspected);
   }
 
   /** The image with solid outside. In a segmented one it is solid anyway, being no pore. */
@@ -162,14 +155,24 @@ final class BlockStudy {
     return VoxelImage.of(voxels.nx(), voxels.ny(), voxels.nz(), labels);
   }
 
-  private static long checksum(VoxelImage voxels) {
+  /**
+   * Checksum (CRC-32) of the labels of some blocks, one after the other, as the file has them.
+   *
+   * @throws ImageFileException if one cannot be read
+   * @throws HeapException if one does not fit
+   */
+  long checksum(List<VoxelBox> boxes) throws ImageFileException {
+    last = Optional.empty(); // to be collected before others are read
     CRC32 sum = new CRC32();
-    byte[] row = new byte[voxels.nx()];
-    for (int from = 0; from < voxels.voxels(); from += row.length) {
-      for (int x = 0; x < row.length; x++) {
-        row[x] = (byte) voxels.label(from + x);
+    for (VoxelBox box : boxes) {
+      VoxelImage voxels = Rock.read(source, box, host);
+      byte[] row = new byte[voxels.nx()];
+      for (int from = 0; from < voxels.voxels(); from += row.length) {
+        for (int x = 0; x < row.length; x++) {
+          row[x] = (byte) voxels.label(from + x);
+        }
+        sum.update(row);
       }
-      sum.update(row);
     }
     return sum.getValue();
   }
@@ -220,7 +223,7 @@ final class BlockStudy {
   }
 
   /** Why a job failed, the same whichever worker met it first. */
-  private static String cause(Throwable thrown) {
+  static String cause(Throwable thrown) {
     Throwable root = thrown;
     while (root.getCause() != null && !(root instanceof ImageFileException)) {
       root = root.getCause();
@@ -231,9 +234,15 @@ final class BlockStudy {
     if (root instanceof OutOfMemoryError) {
       return "heap must hold the computation (give more -Xmx)";
     }
+    if (root instanceof HeapException heap) {
+      return heap.need();
+    }
     boolean known =
         Faults.code(thrown) != ExitCode.FAULT || root instanceof IllegalArgumentException;
-    return known ? root.getMessage() : "fault of H-Dispatch: " + root;
+    if (!known) {
+      return "fault of H-Dispatch: " + root;
+    }
+    return root.getMessage() == null ? root.toString() : root.getMessage();
   }
 
   /** Heap that the flow of a block needs along an axis, bytes; empty if nothing is computed. */

@@ -12,6 +12,8 @@ final class HeapException extends RuntimeException {
   private static final long ROUNDING_MIB = 64;
   private static final double MIB = 1 << 20;
 
+  private final String need;
+
   HeapException(String what, double neededBytes, long heapBytes) {
     super(
         String.format(
@@ -22,6 +24,18 @@ final class HeapException extends RuntimeException {
             neededBytes / MIB,
             heapBytes / MIB,
             megabytesToGive(neededBytes)));
+    need =
+        String.format(
+            Locale.ROOT,
+            "heap must hold %s: needed=%.0f MiB (give java -Xmx%.0fm)",
+            what,
+            neededBytes / MIB,
+            megabytesToGive(neededBytes));
+  }
+
+  /** The message without the heap of this machine. */
+  String need() {
+    return need;
   }
 
   private static double megabytesToGive(double neededBytes) {

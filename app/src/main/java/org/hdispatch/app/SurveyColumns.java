@@ -49,7 +49,7 @@ final class SurveyColumns {
           "density_least",
           "density_greatest");
 
-  /** Of the settings: the same in all rows. */
+  /** Of the settings: the same in all rows. The voxel edge is that of the refined rock. */
   static final List<String> SETTINGS =
       List.of(
           "method",

@@ -8,6 +8,7 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.concurrent.Callable;
 import java.util.concurrent.CancellationException;
+import java.util.stream.IntStream;
 import org.hdispatch.dispatch.Dispatcher;
 import org.hdispatch.porous.darcy.PhysicalFlow;
 import org.hdispatch.porous.flow.FlowOptions;
@@ -84,9 +85,6 @@ final class SurveyCommand implements Callable<Integer> {
     }
   }
 
-  /** The first block of a plan, which tells what the others are like. */
-  private record First(String check, String heap) {}
-
   @Override
   public Integer call() throws ImageFileException {
     Given given = new Given(spec.commandLine().getParseResult());
@@ -97,7 +95,7 @@ final class SurveyCommand implements Callable<Integer> {
     Task task = task(given);
     int threads = threadOptions.threads();
     if (survey.dryRun()) {
-      FlatRow row = planned(task, first(task));
+      FlatRow row = planned(task, heapOfFirst(task));
       Table table = new Table();
       row.forEach((key, value) -> table.line(key.replace('_', ' '), value));
       console().print(output.form(row, table.toString()));
@@ -106,10 +104,11 @@ final class SurveyCommand implements Callable<Integer> {
     if (to.isEmpty()) {
       throw new UsageException("--output must be given: the folder of the rows");
     }
-    First first = first(task);
+    Optional<Long> check = check(task);
+    String heap = heapOfFirst(task); // after the check, as this block is kept for the first job
     try (OutputFolder folder = OutputFolder.open(to.get());
-        SurveyFiles files = open(folder.path(), task, first)) {
-      run(task, first, files, threads);
+        SurveyFiles files = open(folder.path(), task, check)) {
+      run(task, heap, files, threads);
       files.sort();
       return report(files, task.jobs());
     }
@@ -147,36 +146,54 @@ final class SurveyCommand implements Callable<Integer> {
         source, plan, grid.map(BlockGrid::partialBlocks).orElse(0L), shard, choice, fluid, study);
   }
 
-  /** Looks at the first block; that it is bad does not matter here. */
-  private First first(Task task) throws ImageFileException {
-    SurveyJob job = task.plan().job(0);
+  /**
+   * Checksum of the first, the middle and the last block: of a round core, the corners are all
+   * outside. Empty if one of them cannot be read, which its row will say.
+   */
+  private static Optional<Long> check(Task task) throws ImageFileException {
+    List<SurveyPlan.Block> blocks = task.plan().blocks();
+    List<VoxelBox> some =
+        IntStream.of(0, blocks.size() / 2, blocks.size() - 1)
+            .distinct()
+            .mapToObj(n -> blocks.get(n).box())
+            .toList();
     try {
-      BlockStudy.Block block = task.study().block(job.box());
-      String heap;
-      try {
-        heap =
-            task.study()
-                .estimatedBytes(block, job.axis())
-                .map(bytes -> String.format(Locale.ROOT, "%.0f MiB", bytes / MIB))
-                .orElse("unknown (it lies outside)");
-      } catch (UsageException e) {
-        heap = "unknown (" + e.getMessage() + ")";
-      }
-      return new First(Long.toHexString(block.check()), heap);
+      return Optional.of(task.study().checksum(some));
     } catch (ImageFileException | HeapException e) {
       if (Faults.code(e) == ExitCode.INTERRUPTED) {
         throw e;
       }
-      return new First("unreadable", "unknown (" + e.getMessage() + ")");
+      return Optional.empty();
     }
   }
 
-  private SurveyFiles open(Path folder, Task task, First first) throws ImageFileException {
+  /** What heap the first block needs, in words; that it is bad does not matter here. */
+  private static String heapOfFirst(Task task) throws ImageFileException {
+    SurveyJob job = task.plan().job(0);
+    try {
+      BlockStudy.Block block = task.study().block(job.box());
+      try {
+        return task.study()
+            .estimatedBytes(block, job.axis())
+            .map(bytes -> String.format(Locale.ROOT, "%.0f MiB", bytes / MIB))
+            .orElse("unknown (it lies outside)");
+      } catch (UsageException e) {
+        return "unknown (" + e.getMessage() + ")";
+      }
+    } catch (ImageFileException | HeapException e) {
+      if (Faults.code(e) == ExitCode.INTERRUPTED) {
+        throw e;
+      }
+      return "unknown (" + e.getMessage() + ")";
+    }
+  }
+
+  private SurveyFiles open(Path folder, Task task, Optional<Long> check) throws ImageFileException {
     try {
       return SurveyFiles.open(
           folder,
           task.shard(),
-          settingsOf(task, first),
+          settingsOf(task, check),
           SurveyColumns.FIGURES,
           SurveyColumns.TIMES);
     } catch (IllegalArgumentException e) { // other settings than those of the rows there
@@ -184,7 +201,7 @@ final class SurveyCommand implements Callable<Integer> {
     }
   }
 
-  private FlatRow planned(Task task, First first) {
+  private FlatRow planned(Task task, String heapOfFirst) {
     VoxelBox whole = task.source().whole();
     return new FlatRow()
         .put("image", task.source().name())
@@ -196,11 +213,11 @@ final class SurveyCommand implements Callable<Integer> {
         .put("jobs", task.plan().jobs())
         .put("shard", task.shard().toString())
         .put("jobs_of_shard", task.jobs())
-        .put("heap_of_first_block", first.heap())
+        .put("heap_of_first_block", heapOfFirst)
         .put("heap_given", String.format(Locale.ROOT, "%.0f MiB", host.heapBytes() / MIB));
   }
 
-  private void run(Task task, First first, SurveyFiles files, int threads)
+  private void run(Task task, String heapOfFirst, SurveyFiles files, int threads)
       throws ImageFileException {
     int earlier = done(task, files);
     note(
@@ -213,7 +230,7 @@ final class SurveyCommand implements Callable<Integer> {
             + (task.left() > 0 ? ", " + task.left() + " partial ones left out" : "")
             + (earlier > 0 ? ", " + earlier + " done before" : "")
             + "; heap for the first block "
-            + first.heap()
+            + heapOfFirst
             + String.format(Locale.ROOT, ", given %.0f MiB", host.heapBytes() / MIB));
     if (earlier == task.jobs()) {
       return;
@@ -221,6 +238,8 @@ final class SurveyCommand implements Callable<Integer> {
     Map<String, String> same = new LinkedHashMap<>();
     SurveyColumns.SETTINGS.forEach(
         key -> same.put(key, files.settings().values().getOrDefault(key, "")));
+    double edge = Rock.edgeOf(task.source(), imageOptions).getAsDouble();
+    same.put("voxel_edge_m", Double.toString(edge / methodOptions.refine())); // that k is in
     try (StatusLine status = new StatusLine(console().err());
         Dispatcher dispatcher = Dispatcher.withWorkers(threads)) {
       SurveyProgress progress =
@@ -260,7 +279,7 @@ final class SurveyCommand implements Callable<Integer> {
   }
 
   /** What the rows depend on, and which image and blocks they are of. */
-  private SurveySettings settingsOf(Task task, First first) {
+  private SurveySettings settingsOf(Task task, Optional<Long> check) {
     FlowOptions options = task.choice().options();
     boolean lattice = task.choice().method() == Method.LBM;
     FlatRow row =
@@ -268,11 +287,10 @@ final class SurveyCommand implements Callable<Integer> {
             .put(SurveySettings.JOBS, task.plan().jobs())
             .put("image", imageName(task.source()))
             .put("image_size", sizeOf(task.source().whole()))
-            .put("first_block_crc", first.check())
             .put("box", imageOptions.box().map(VoxelBox::toString).orElse(null))
             .put("block", survey.block())
             .put("stride", survey.strideWords())
-            .put("blocks", survey.choiceWords())
+            .put("blocks", survey.choiceWords(task.plan()))
             .put("axes", String.join(",", task.plan().axes().stream().map(Choices::word).toList()))
             .put("outside", survey.outsideWords())
             .put("voxel_edge_m", Rock.edgeOf(task.source(), imageOptions))
@@ -310,6 +328,7 @@ final class SurveyCommand implements Callable<Integer> {
           .put("wall_factor", task.choice().particles().wallFactor());
     }
     row.put("version", Version.ofProject());
+    check.ifPresent(sum -> row.put(SurveySettings.BLOCKS_CRC, Long.toHexString(sum)));
     Map<String, String> values = new LinkedHashMap<>();
     row.forEach(values::put);
     return new SurveySettings(values);

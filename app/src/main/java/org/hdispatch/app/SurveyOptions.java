@@ -257,15 +257,38 @@ final class SurveyOptions {
         });
   }
 
-  /** Which blocks, in words: the same blocks always by the same words. */
-  String choiceWords() {
+  /**
+   * Which blocks, in words: the same numbers or places in the same order always by the same words,
+   * however they were given; of a draw, its count and seed.
+   *
+   * @param plan the plan of these options
+   */
+  String choiceWords(SurveyPlan plan) {
     if (origins != null) {
-      return "at " + String.join("; ", origins);
+      List<String> places =
+          plan.blocks().stream()
+              .map(SurveyPlan.Block::box)
+              .map(box -> box.x0() + "," + box.y0() + "," + box.z0())
+              .toList();
+      return "at " + String.join("; ", places);
     }
     if (random != null) {
       return random + " at random, seed " + seed;
     }
-    return numbers == null ? "all" : String.join(",", numbers);
+    return ranges(plan.blocks().stream().map(SurveyPlan.Block::number).toList());
+  }
+
+  /** Numbers in their order, those that follow each other as a range: {@code 0,4,7-9}. */
+  private static String ranges(List<Long> all) {
+    List<String> words = new ArrayList<>();
+    for (int from = 0, to; from < all.size(); from = to) {
+      to = from + 1;
+      while (to < all.size() && all.get(to) == all.get(to - 1) + 1) {
+        to++;
+      }
+      words.add(to - from == 1 ? all.get(from).toString() : all.get(from) + "-" + all.get(to - 1));
+    }
+    return String.join(",", words);
   }
 
   /** The distance between blocks as settings keep it; empty if places are given. */

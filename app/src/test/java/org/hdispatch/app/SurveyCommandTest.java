@@ -215,7 +215,7 @@ class SurveyCommandTest {
           {"--tolerance=0.01", "tolerance=0.01, there=0.001"},
           {"--sides=periodic", "sides=periodic, there=wall"},
           {"--axis=x", "axes=x, there=z"},
-          {"--blocks=0,1", "blocks=0,1, there=0"},
+          {"--blocks=0,1", "blocks=0-1, there=0"},
           {"--pore-value=0", "pore_values=0, there=1"},
           {"--storage=single", "storage=single, there=double"},
           {"--shard=1/1 --refine=2", "refine=2, there=1"},
@@ -227,18 +227,60 @@ class SurveyCommandTest {
       four("kept", options.toArray(new String[0]))
           .assertRefused(2, "settings must be those of the survey in this folder", other[1]);
     }
+  }
+
+  @Test
+  void anotherImageIsRefusedByItsFirstMiddleOrLastBlock() throws IOException {
     byte[] labels = Files.readAllBytes(image());
-    labels[0] ^= 1;
+    Object[] command = {
+      "survey",
+      folder.resolve("four.raw"),
+      "--dims=32,8,8",
+      "--block=8",
+      "--voxel-edge=1e-6",
+      "--quiet",
+      "--output=" + folder.resolve("kept")
+    };
+    assertEquals(0, Cli.run(command).code());
+    for (int x : new int[] {0, 16, 31}) {
+      byte[] other = labels.clone();
+      other[x] ^= 1;
+      Files.write(folder.resolve("four.raw"), other);
+      Cli.run(command).assertRefused(2, "blocks_crc=");
+    }
     Files.write(folder.resolve("four.raw"), labels);
-    Cli.run(
-            "survey",
-            folder.resolve("four.raw"),
-            "--dims=32,8,8",
-            "--block=8",
-            "--voxel-edge=1e-6",
-            "--blocks=0",
-            "--output=" + folder.resolve("kept"))
-        .assertRefused(2, "first_block_crc=");
+    assertEquals(0, Cli.run(command).code());
+  }
+
+  @Test
+  void sameBlocksMayBeGivenInOtherWords() throws IOException {
+    Cli first = four("words", "--blocks=0,1,3");
+    assertEquals(0, first.code(), first.err());
+    Cli again = four("words", "--blocks=0-1,3");
+    assertTrue(again.err().contains("3 done before"), again.err());
+    four("words", "--blocks=3,0-1").assertRefused(2, "blocks=3,0-1, there=0-1,3");
+  }
+
+  @Test
+  void rowsOfRefinedBlocksHaveTheEdgeThatTheirKIsIn() throws IOException {
+    Cli run = four("fine", "--blocks=0,1", "--refine=2");
+    assertEquals(0, run.code(), run.err());
+    List<Map<String, String>> rows = rowsIn("fine");
+    assertEquals(List.of("5.0E-7", "5.0E-7"), column(rows, "voxel_edge_m"));
+    double voxels = Double.parseDouble(rows.get(0).get("permeability_voxel2"));
+    double metres = Double.parseDouble(rows.get(0).get("permeability_m2"));
+    assertEquals(voxels * 5e-7 * 5e-7, metres, 1e-12 * metres);
+    String settings = Files.readString(folder.resolve("fine/survey.properties"));
+    assertTrue(settings.contains("\nvoxel_edge_m=1.0E-6\n"), settings);
+  }
+
+  @Test
+  void causeIsNeverNullAndKnowsNoMachine() {
+    assertEquals(
+        "java.lang.IllegalArgumentException", BlockStudy.cause(new IllegalArgumentException()));
+    assertEquals(
+        "heap must hold a flow: needed=100 MiB (give java -Xmx128m)",
+        BlockStudy.cause(new HeapException("a flow", 100 << 20, 50 << 20)));
   }
 
   @Test
@@ -508,7 +550,8 @@ class SurveyCommandTest {
     };
     Cli run = Cli.run(new Host(34L << 20, false), command);
     assertEquals(4, run.code(), run.err());
-    assertTrue(rowsIn("heap").get(0).get("cause").startsWith("heap must hold the flow of"));
+    String cause = rowsIn("heap").get(0).get("cause");
+    assertTrue(cause.matches("heap must hold the flow of .*: needed=\\d+ MiB .*"), cause);
     assertEquals(0, Cli.run(command).code());
     assertEquals(List.of("done"), column(rowsIn("heap"), "status"));
     try (Stream<Path> files = Files.list(folder.resolve("heap"))) {

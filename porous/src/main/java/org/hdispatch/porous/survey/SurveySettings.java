@@ -15,6 +15,12 @@ public record SurveySettings(Map<String, String> values) {
   /** The setting that says how many jobs there are. */
   public static final String JOBS = "jobs";
 
+  /**
+   * The setting that tells one image from another: a checksum of some of its blocks. It is not
+   * there if one of them could not be read, and then it is not compared.
+   */
+  public static final String BLOCKS_CRC = "blocks_crc";
+
   private static final String FIRST_LINE = "# what the rows of this survey depend on";
   private static final String LAST_LINE = "# end";
 
@@ -45,6 +51,9 @@ public record SurveySettings(Map<String, String> values) {
   Optional<String> difference(SurveySettings other) {
     TreeSet<String> names = new TreeSet<>(values.keySet());
     names.addAll(other.values.keySet());
+    if (!values.containsKey(BLOCKS_CRC) || !other.values.containsKey(BLOCKS_CRC)) {
+      names.remove(BLOCKS_CRC);
+    }
     for (String name : names) {
       String here = values.getOrDefault(name, "");
       String there = other.values.getOrDefault(name, "");

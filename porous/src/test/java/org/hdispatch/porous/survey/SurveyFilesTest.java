@@ -140,6 +140,24 @@ class SurveyFilesTest {
   }
 
   @Test
+  void checksumOfBlocksIsComparedIfBothKnowIt() throws IOException {
+    open(Shard.parse("1/3")).close();
+    Map<String, String> values = new LinkedHashMap<>(settings("0.1").values());
+    values.put(SurveySettings.BLOCKS_CRC, "a1");
+    SurveyFiles.open(folder, Shard.parse("2/3"), new SurveySettings(values), FIGURES, TIMES)
+        .close();
+    open(Shard.parse("2/3")).close();
+    values.put(SurveySettings.BLOCKS_CRC, "a2");
+    Throwable refused =
+        assertThrows(
+            IllegalArgumentException.class,
+            () ->
+                SurveyFiles.open(
+                    folder, Shard.parse("3/3"), new SurveySettings(values), FIGURES, TIMES));
+    assertTrue(refused.getMessage().contains("blocks_crc=a2, there=a1"), refused.getMessage());
+  }
+
+  @Test
   void secondWriterIsRefusedUntilTheFirstIsDone() throws IOException {
     try (SurveyFiles first = open(Shard.WHOLE)) {
       assertEquals(JOBS, first.missing().size());
