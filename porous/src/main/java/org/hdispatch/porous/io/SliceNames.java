@@ -1,6 +1,8 @@
 package org.hdispatch.porous.io;
 
 import java.math.BigInteger;
+import java.util.List;
+import java.util.regex.MatchResult;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 
@@ -34,18 +36,46 @@ final class SliceNames {
   }
 
   private static boolean isNumber(String part) {
-    return Character.isDigit(part.charAt(0));
+    return part.charAt(0) >= '0' && part.charAt(0) <= '9'; // as \d, other digits are text
   }
 
-  /** Whether two neighbours differ in their last number alone, and by another amount than 1. */
+  /** Whether a name has no number. */
+  static boolean isUnnumbered(String name) {
+    return parts(name).stream().noneMatch(SliceNames::isNumber);
+  }
+
+  /**
+   * Which number two names differ in, if they are equal apart from one: its place among the parts
+   * of the names; -1 if they differ in text, or in more than one number.
+   */
+  static int onlyDifferentNumber(String a, String b) {
+    List<String> partsA = parts(a);
+    List<String> partsB = parts(b);
+    int different = -1;
+    for (int i = 0; i < partsA.size() && partsA.size() == partsB.size(); i++) {
+      String partA = partsA.get(i);
+      String partB = partsB.get(i);
+      if (!partA.equals(partB)) {
+        if (different >= 0 || !isNumber(partA) || !isNumber(partB)) {
+          return -1;
+        }
+        different = i;
+      }
+    }
+    return different;
+  }
+
+  /** Whether two neighbours differ in one number alone, and by another amount than 1. */
   static boolean leaveGap(String before, String after) {
-    String numbers = "(.*?)(\\d+)(\\D*)";
-    Matcher a = Pattern.compile(numbers).matcher(before);
-    Matcher b = Pattern.compile(numbers).matcher(after);
-    return a.matches()
-        && b.matches()
-        && a.group(1).equals(b.group(1))
-        && a.group(3).equals(b.group(3))
-        && !new BigInteger(b.group(2)).subtract(new BigInteger(a.group(2))).equals(BigInteger.ONE);
+    int at = onlyDifferentNumber(before, after);
+    return at >= 0 && !number(after, at).subtract(number(before, at)).equals(BigInteger.ONE);
+  }
+
+  private static BigInteger number(String name, int part) {
+    return new BigInteger(parts(name).get(part));
+  }
+
+  private static List<String> parts(String name) {
+    return PART.matcher(name).results().map(MatchResult::group).toList();
   }
 }

@@ -19,7 +19,8 @@ import org.hdispatch.porous.image.VoxelImage;
  * <p>Pages are grey, palette or bilevel, of 1 to 32 bits, uncompressed or packed by LZW, Deflate or
  * PackBits, in strips or tiles. Labels are the numbers as they are stored: of a palette image the
  * index, and where 0 means white still 0. All must be within 0..255. A folder's slices are its
- * files named {@code .tif} or {@code .tiff}, numbers in their names compared as numbers.
+ * files named {@code .tif} or {@code .tiff}, numbers in their names compared as numbers. Where any
+ * has a number, the names must be equal apart from one number, which counts the slices.
  *
  * <p>The voxel edge is unknown: the resolution of a page is in dots per inch, and seldom true.
  */
@@ -32,8 +33,8 @@ public final class TiffImages {
    * @param path a TIFF file, or a folder of TIFF files with one page each
    * @return the image, its voxel edge unknown
    * @throws ImageFileException if a file is missing, not TIFF or cut short, if its pages differ in
-   *     size or type, or are of a kind that is not read, or if a slice seems to be missing; the
-   *     message names the remedy
+   *     size or type, or are of a kind that is not read, if a slice seems to be missing, or if the
+   *     slices seem to be of more than one series; the message names the remedy
    */
   public static ImageFile open(Path path) throws ImageFileException {
     return Files.isDirectory(path) ? folder(path) : stack(path);
@@ -100,6 +101,7 @@ public final class TiffImages {
           "folder must hold the slices of an image (.tif, .tiff): file=" + folder);
     }
     slices.sort((a, b) -> SliceNames.compare(name(a), name(b)));
+    requireOneSeries(folder, slices.stream().map(TiffImages::name).toList());
     for (int i = 1; i < slices.size(); i++) {
       String before = name(slices.get(i - 1));
       String after = name(slices.get(i));
@@ -114,6 +116,27 @@ public final class TiffImages {
       }
     }
     return slices;
+  }
+
+  /** Slices that have numbers must have the same name apart from one number, the same in all. */
+  private static void requireOneSeries(Path folder, List<String> names) throws ImageFileException {
+    if (names.stream().allMatch(SliceNames::isUnnumbered)) {
+      return;
+    }
+    int counted = -1;
+    for (int i = 1; i < names.size(); i++) {
+      int different = SliceNames.onlyDifferentNumber(names.get(i - 1), names.get(i));
+      counted = i == 1 ? different : counted;
+      if (different < 0 || different != counted) {
+        throw new ImageFileException(
+            "slices must be of one series: folder="
+                + folder
+                + ", slices="
+                + names.get(i - 1)
+                + " and "
+                + names.get(i));
+      }
+    }
   }
 
   private static String name(Path path) {

@@ -2,6 +2,7 @@ package org.hdispatch.porous.io;
 
 import static org.junit.jupiter.api.Assertions.assertArrayEquals;
 import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 import static org.junit.jupiter.api.Assumptions.assumeTrue;
 
@@ -228,6 +229,40 @@ class TiffImagesTest {
     assertTrue(
         SmallImage.refusal(() -> TiffImages.open(folder), other)
             .startsWith("slices in a folder must have one page each"));
+  }
+
+  @ParameterizedTest
+  @CsvSource({
+    "raw_0000, raw_0009, seg_0000", "rock1_0000, rock1_0001, rock2_0000",
+    "a1_1, a1_2, a2_2", "overview, raw_0000, raw_0001"
+  })
+  void slicesOfTwoSeriesAreRefused(String first, String second, String third) throws IOException {
+    byte[] slice = new TiffBytes().page(2, 3, 8, slice(0)).bytes();
+    write(first + ".tif", slice);
+    write(second + ".tif", slice);
+    write(third + ".tif", slice);
+    String foreign =
+        first.equals("overview") ? "overview.tif and raw_0000" : second + ".tif and " + third;
+    assertEquals(
+        "slices must be of one series: folder=" + folder + ", slices=" + foreign + ".tif",
+        assertThrows(ImageFileException.class, () -> TiffImages.open(folder)).getMessage());
+  }
+
+  @Test
+  void slicesWithAnotherNumberInAllNamesAreOfOneSeries() throws IOException {
+    for (int z = 0; z < 4; z++) {
+      byte[] slice = new TiffBytes().page(2, 3, 8, slice(z)).bytes();
+      write("rock2_" + (z + 8) + "_8bit.tif", slice);
+    }
+    SmallImage.assertEveryBox(TiffImages.open(folder));
+  }
+
+  @Test
+  void slicesWithoutNumbersAreReadByTheirNames() throws IOException {
+    for (int z = 0; z < 4; z++) {
+      write("abcd".charAt(z) + ".tif", new TiffBytes().page(2, 3, 8, slice(z)).bytes());
+    }
+    SmallImage.assertEveryBox(TiffImages.open(folder));
   }
 
   @Test
