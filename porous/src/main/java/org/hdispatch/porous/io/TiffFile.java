@@ -32,6 +32,10 @@ record TiffFile(Path file, Form form, TiffPage page, List<Long> pages) {
   private static final Pattern IMAGEJ_IMAGES =
       Pattern.compile("\\AImageJ=[\\s\\S]*?\\nimages=(\\d+)");
 
+  /** More than one channel or frame: its pages are not, or not only, slices along z. */
+  private static final Pattern IMAGEJ_NO_SLICES =
+      Pattern.compile("\\AImageJ=[\\s\\S]*?\\n((?:channels|frames)=(?:[2-9]|1\\d)\\d*)");
+
   /** Whether a file begins like this. */
   static boolean isStart(byte[] start) {
     if (start.length < 4 || start[0] != start[1]) {
@@ -107,7 +111,10 @@ record TiffFile(Path file, Form form, TiffPage page, List<Long> pages) {
     return page.width() + "x" + page.height() + " " + page.type();
   }
 
-  /** ImageJ leaves out all pages but the first from files above 4 GB. */
+  /**
+   * All images that ImageJ states must be pages, as it leaves out all but the first from files
+   * above 4 GB, and pages must be slices: it stores channels and frames as pages too.
+   */
   private void requireImageJPages(FileChannel channel) throws ImageFileException {
     try {
       String text =
@@ -124,6 +131,15 @@ record TiffFile(Path file, Form form, TiffPage page, List<Long> pages) {
                 + pages.size()
                 + ", images="
                 + images.group(1));
+      }
+      Matcher noSlices = IMAGEJ_NO_SLICES.matcher(text);
+      if (noSlices.find()) {
+        throw new ImageFileException(
+            "ImageJ's images must be slices (save one channel and frame; if all are slices, say so"
+                + " in ImageJ: Image > Properties): file="
+                + file
+                + ", "
+                + noSlices.group(1));
       }
     } catch (IOException e) {
       throw refusal("file=" + file, e);

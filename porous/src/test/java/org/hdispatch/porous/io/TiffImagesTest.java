@@ -304,6 +304,19 @@ class TiffImagesTest {
   }
 
   @ParameterizedTest
+  @ValueSource(strings = {"channels=2", "frames=4", "frames=10"})
+  void channelsAndFramesOfImageJAreRefused(String noSlices) throws IOException {
+    TiffBytes tiff = new TiffBytes();
+    tiff.description = "ImageJ=1.53t\nimages=4\n" + noSlices + "\nhyperstack=true\n";
+    Path file = write(small(tiff, 8));
+    assertTrue(refusal(file).startsWith("ImageJ's images must be slices"), refusal(file));
+    assertTrue(refusal(file).endsWith("file=" + file + ", " + noSlices), refusal(file));
+    tiff = new TiffBytes();
+    tiff.description = "ImageJ=1.53t\nimages=4\nchannels=1\nslices=4\nframes=1\n";
+    SmallImage.assertEveryBox(TiffImages.open(write(small(tiff, 8))));
+  }
+
+  @ParameterizedTest
   @ValueSource(ints = {1, 8, 32773})
   void noFileThatIsCutShortIsRead(int compression) throws IOException {
     byte[] whole = small(new TiffBytes().tag(TiffBytes.COMPRESSION, compression), 8).bytes();
