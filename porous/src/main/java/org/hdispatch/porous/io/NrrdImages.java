@@ -15,7 +15,8 @@ import org.hdispatch.porous.image.VoxelBox;
 /**
  * NRRD images (Teem's "Definition of NRRD File Format"): the header in front of the voxels ({@code
  * .nrrd}) or in a file of its own ({@code .nhdr}), 3 dimensions, the first being x, integers whose
- * values are within 0..255, raw or gzipped.
+ * values are within 0..255, raw or gzipped. No axis may be of a kind that is known not to be space,
+ * such as the components of a colour.
  *
  * <p>The voxel edge comes from {@code space directions} with {@code space units}, or from {@code
  * spacings} with {@code units}; without a unit it is unknown, as the format has none by default.
@@ -24,6 +25,12 @@ import org.hdispatch.porous.image.VoxelBox;
 public final class NrrdImages {
   private static final Pattern VECTOR = Pattern.compile("\\(([^()]*)\\)");
   private static final Pattern QUOTED = Pattern.compile("\"([^\"]*)\"");
+
+  /** Kinds of axes that are, or may be, of space. */
+  private static final Pattern KINDS =
+      Pattern.compile(
+          "(domain|space|none|\\?{3})(\\s+(domain|space|none|\\?{3})){2}",
+          Pattern.CASE_INSENSITIVE);
 
   /** Two axes are at right angles if the cosine between them is below this. */
   private static final double RIGHT_ANGLE = 1e-5;
@@ -47,8 +54,8 @@ public final class NrrdImages {
    * @param file a file in NRRD format; the header, where it stands apart
    * @return the image, with its voxel edge where the header states it with a unit
    * @throws ImageFileException if a file is missing, not NRRD or of another length than its header
-   *     says, or if the image has no 3 dimensions, no integers, no cubic voxels, or is stored in a
-   *     way that is not read; the message names the remedy
+   *     says, or if the image has no 3 dimensions in space, no integers, no cubic voxels, or is
+   *     stored in a way that is not read; the message names the remedy
    */
   public static ImageFile open(Path file) throws ImageFileException {
     HeaderText header = HeaderText.read(file, String::isEmpty);
@@ -60,6 +67,7 @@ public final class NrrdImages {
     if (fields.integer("dimension", 3) != 3) {
       throw fields.wrong("image must have 3 dimensions (x y z)", "dimension");
     }
+    requireSpace(fields);
     VoxelBox whole = fields.size("sizes");
     LabelType type = labelType(fields);
     FlatVolume.Packing packing = packing(fields);
@@ -111,6 +119,17 @@ public final class NrrdImages {
       fields.put(field, line.substring(colon + 1));
     }
     return fields;
+  }
+
+  /** Kinds of axes may be left out; if they are there, none may be of colours, time or vectors. */
+  private static void requireSpace(HeaderFields fields) throws ImageFileException {
+    Optional<String> kinds = fields.find("kinds");
+    if (kinds.isPresent() && !KINDS.matcher(kinds.get()).matches()) {
+      throw fields.wrong(
+          "axes must be of space: 3 kinds of domain, space, none or ??? (keep one component: unu"
+              + " slice)",
+          "kinds");
+    }
   }
 
   private static LabelType labelType(HeaderFields fields) throws ImageFileException {

@@ -109,6 +109,13 @@ class NrrdImagesTest {
     }
   }
 
+  @ParameterizedTest
+  @ValueSource(strings = {"domain domain domain", "Space  space SPACE", "none ??? domain"})
+  void axesOfSpaceAreRead(String kinds) throws IOException {
+    String header = RAW + "kinds: " + kinds + "\n\n";
+    SmallImage.assertEveryBox(NrrdImages.open(write("a.nrrd", header, SmallImage.flat())));
+  }
+
   @Test
   void voxelEdgeIsTakenWhereItsUnitIsStated() throws IOException {
     assertEquals(OptionalDouble.empty(), edge(""));
@@ -166,6 +173,9 @@ class NrrdImagesTest {
         "key:=value | byte skip: -2 | byte skip must be 0, or",
         "key:=value | data file: LIST | voxels must be in one data file",
         "key:=value | data file: x%03d.raw 1 9 1 | voxels must be in one data file",
+        "key:=value | kinds: RGB-color domain domain | axes must be of space: 3 kinds of domain",
+        "key:=value | kinds: domain domain time | axes must be of space",
+        "key:=value | kinds: domain domain | axes must be of space",
         "key:=value | spacings: 1 1 | field must be 3 numbers (x y z): ",
         "key:=value | spacings: a b c | field must be numbers: ",
         "key:=value | space directions: none (1,0,0) (0,1,0) | field must be 3 vectors",
