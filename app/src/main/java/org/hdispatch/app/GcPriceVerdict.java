@@ -167,9 +167,7 @@ final class GcPriceVerdict {
                 + (dear.isEmpty()
                     ? "That is nearly as cheap"
                         + (allocate ? "; what enduring scratch adds is exactly 0 bytes." : ".")
-                    : "Dearer by more than runs differ by themselves: "
-                        + dearest(dear)
-                        + "."));
+                    : "Dearer by more than runs differ by themselves: " + dearest(dear) + "."));
   }
 
   private String dearest(List<Pair> dear) {

@@ -187,7 +187,9 @@ class GcVerdictTest {
     assertSays("made anew for every step, 1.05 times (128 KiB per step).", cheap);
     assertSays("nearly as cheap; what enduring scratch adds is exactly 0 bytes.", cheap);
     String dear = said(base, GcSamples.still(step, 25, 0, 131_072));
-    assertSays("Dearer by more than runs differ by themselves: per step with G1 in a heap of 6x (1.25).", dear);
+    assertSays(
+        "Dearer by more than runs differ by themselves: per step with G1 in a heap of 6x (1.25).",
+        dear);
     assertSilent("That is nearly", dear);
   }
 
