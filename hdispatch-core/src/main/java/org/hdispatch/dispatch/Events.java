@@ -1,6 +1,7 @@
 package org.hdispatch.dispatch;
 
 import jdk.jfr.Category;
+import jdk.jfr.DataAmount;
 import jdk.jfr.Description;
 import jdk.jfr.Enabled;
 import jdk.jfr.Event;
@@ -46,6 +47,22 @@ final class Events {
 
     @Label("Cells")
     int cells;
+  }
+
+  /** Workers have allocated in a step: scratch or cells have grown. */
+  @Name("org.hdispatch.Growth")
+  @Label("Growth")
+  @Description("The workers allocated in a step")
+  @Category("H-Dispatch")
+  @StackTrace(false)
+  @Enabled(false)
+  static final class Growth extends Event {
+    @Label("Step")
+    long step;
+
+    @Label("Bytes")
+    @DataAmount
+    long bytes;
   }
 
   /** Cells were added or removed. */

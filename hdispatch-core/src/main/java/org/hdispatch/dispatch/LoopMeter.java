@@ -10,6 +10,7 @@ final class LoopMeter {
   private final Counters atBegin;
   private final Counters now;
   private final Counters total;
+  private final long[] bytes;
   private AllocationMeter allocation; // null if this JVM does not count
   private Thread caller;
   private boolean bytesMeasured = true;
@@ -20,6 +21,7 @@ final class LoopMeter {
     atBegin = new Counters(crew.size());
     now = new Counters(crew.size());
     total = new Counters(crew.size());
+    bytes = new long[crew.size()];
   }
 
   /** Readings of all workers, or differences of them. */
@@ -73,6 +75,18 @@ final class LoopMeter {
     if (allocation != null) {
       allocation.read(into.bytes);
     }
+  }
+
+  /** Bytes that all workers have allocated in their lives; the same each time if not measured. */
+  long allocatedBytes() {
+    long sum = 0;
+    if (allocation != null) {
+      allocation.read(bytes);
+      for (long each : bytes) {
+        sum += each;
+      }
+    }
+    return sum;
   }
 
   private AllocationMeter newAllocationMeter() {

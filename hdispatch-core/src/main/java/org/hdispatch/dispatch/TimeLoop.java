@@ -15,7 +15,8 @@ import org.hdispatch.cell.CellMap;
  * Scheme#beforeStep} and {@link Scheme#afterStep} did is repeated with it.
  *
  * <p>A JDK Flight Recording may enable the events {@code org.hdispatch.Step}, {@code
- * org.hdispatch.Pass} and {@code org.hdispatch.CellsChanged}. They are off by default, and cost a
+ * org.hdispatch.Pass}, {@code org.hdispatch.CellsChanged} and {@code org.hdispatch.Growth} (bytes
+ * that the workers allocated in a step, where there were any). They are off by default, and cost a
  * look at a flag then.
  */
 public final class TimeLoop {
@@ -29,6 +30,7 @@ public final class TimeLoop {
   private final LoopMeter meter;
   private final Events.StepDone stepDone = new Events.StepDone();
   private final Events.CellsChanged cellsChanged = new Events.CellsChanged();
+  private final Events.Growth growth = new Events.Growth();
   private long revision;
 
   <C, S> TimeLoop(Crew crew, Handout handout, Scheme<C, S> scheme, ScratchLifetime lifetime) {
@@ -145,6 +147,8 @@ public final class TimeLoop {
     if (recorded) {
       stepDone.begin();
     }
+    boolean growthRecorded = growth.isEnabled();
+    long bytesBefore = growthRecorded ? meter.allocatedBytes() : 0;
     boolean complete = false;
     try {
       scheme.beforeStep(ticks[0]);
@@ -171,7 +175,18 @@ public final class TimeLoop {
       stepDone.step = clock.step;
       stepDone.commit();
     }
+    if (growthRecorded) {
+      tellGrowth(meter.allocatedBytes() - bytesBefore);
+    }
     clock.step++;
+  }
+
+  private void tellGrowth(long bytes) {
+    if (bytes > 0) {
+      growth.step = clock.step;
+      growth.bytes = bytes;
+      growth.commit();
+    }
   }
 
   private void resetSweeps() {

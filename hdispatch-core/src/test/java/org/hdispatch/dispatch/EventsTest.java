@@ -76,6 +76,39 @@ class EventsTest {
     assertEquals(7, changes.get(0).getInt("after"));
   }
 
+  @Test
+  void recordingSeesTheStepsInWhichWorkersAllocate(@TempDir Path folder) throws IOException {
+    Path file = folder.resolve("growth.jfr");
+    CellMap<Object[]> cells =
+        CellMap.of(CellGrid.of(2, 1, 1, Ends.OPEN).keys(), KeyOrder.ROW, key -> new Object[1]);
+    Scheme<Object[], Void> grows =
+        Scheme.of(cells)
+            .pass(
+                "grow",
+                (cell, none, tick) -> {
+                  if (tick.step() % 1000 == 500) {
+                    cell[0] = new byte[5000];
+                  }
+                })
+            .build();
+    try (Dispatcher dispatcher = Dispatcher.withWorkers(2);
+        Recording recording = new Recording()) {
+      TimeLoop loop = dispatcher.loop(grows);
+      recording.enable("org.hdispatch.Growth").withoutThreshold();
+      recording.start();
+      loop.run(2000);
+      recording.dump(file);
+    }
+    List<RecordedEvent> growth = named(RecordingFile.readAllEvents(file), "org.hdispatch.Growth");
+    for (long step : new long[] {500, 1500}) {
+      RecordedEvent event =
+          growth.stream().filter(each -> each.getLong("step") == step).findFirst().orElseThrow();
+      long bytes = event.getLong("bytes");
+      assertTrue(bytes >= 10_000 && bytes < 20_000, "bytes=" + bytes);
+    }
+    assertTrue(growth.size() < 100, "only where there was any: events=" + growth.size());
+  }
+
   private static List<RecordedEvent> named(List<RecordedEvent> events, String name) {
     return events.stream()
         .filter(event -> event.getEventType().getName().equals(name))
