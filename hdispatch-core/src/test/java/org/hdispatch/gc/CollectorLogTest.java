@@ -42,8 +42,13 @@ class CollectorLogTest {
    */
   private static final double READINGS = 12_000;
 
+  /**
+   * What one of many pauses may miss of that, the longest above all: its statistics take longer.
+   */
+  private static final double READINGS_OF_ONE = 5 * READINGS;
+
   /** The machine may take the thread away between two such readings, but not always. */
-  private static final int RUNS = 3;
+  private static final int RUNS = 6;
 
   @TempDir private Path folder;
 
@@ -78,14 +83,18 @@ class CollectorLogTest {
       }
     }
     assertTrue(pauses.size() >= 3, "pauses logged: " + pauses.size());
-    double slack = ROUNDING + (collector.equals("Shenandoah") ? READINGS : 0);
+    boolean shenandoah = collector.equals("Shenandoah");
+    double slack = ROUNDING + (shenandoah ? READINGS : 0);
     assertClose(sum(pauses), seen.get("pauseNanos"), pauses.size() * slack);
     if (collector.equals("Serial")) { // logs two lines for a young collection that turns full
       assertTrue(pauses.size() >= seen.get("pauses"));
       assertTrue(seen.get("pauseLongestNanos") > (1 - TOLERANCE) * Collections.max(pauses));
     } else {
       assertEquals(pauses.size(), seen.get("pauses"));
-      assertClose(Collections.max(pauses), seen.get("pauseLongestNanos"), slack);
+      assertClose(
+          Collections.max(pauses),
+          seen.get("pauseLongestNanos"),
+          shenandoah ? READINGS_OF_ONE : slack);
     }
     assertEquals(seen.get("pauseNanos"), seen.get("timelineNanos"));
     assertTrue(seen.get("pauseP99Nanos") <= seen.get("pauseLongestNanos"));
