@@ -1,6 +1,8 @@
 package org.hdispatch.app;
 
 import java.util.Locale;
+import org.hdispatch.app.text.Numbers;
+import org.hdispatch.app.text.Table;
 import org.hdispatch.lbm.BundleSize;
 import org.hdispatch.lbm.duct.BandwidthProbe;
 import org.hdispatch.lbm.duct.Duct;

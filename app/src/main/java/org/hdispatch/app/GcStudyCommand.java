@@ -14,6 +14,8 @@ import org.hdispatch.app.study.GcStudy;
 import org.hdispatch.app.study.Jdk;
 import org.hdispatch.app.study.RowFiles;
 import org.hdispatch.app.study.StudyScope;
+import org.hdispatch.app.study.page.GcPage;
+import org.hdispatch.app.study.page.GcVerdict;
 import org.hdispatch.porous.io.ImageFileException;
 import picocli.CommandLine.ArgGroup;
 import picocli.CommandLine.Command;

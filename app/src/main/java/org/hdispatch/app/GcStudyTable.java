@@ -8,6 +8,7 @@ import org.hdispatch.app.study.GcCase;
 import org.hdispatch.app.study.GcFigures;
 import org.hdispatch.app.study.GcRow;
 import org.hdispatch.app.study.Lbo;
+import org.hdispatch.app.text.Columns;
 
 /** The rows of a study of garbage collection, for people and for programs. */
 final class GcStudyTable {

@@ -2,6 +2,8 @@ package org.hdispatch.app;
 
 import java.util.Locale;
 import java.util.OptionalDouble;
+import org.hdispatch.app.text.Numbers;
+import org.hdispatch.app.text.Table;
 import org.hdispatch.lbm.Storage;
 import org.hdispatch.porous.darcy.Permeability;
 import org.hdispatch.porous.flow.FlowOptions;

@@ -8,6 +8,7 @@ import java.awt.image.BufferedImage;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
+import org.hdispatch.app.draw.Picture;
 import org.hdispatch.porous.io.ImageFileException;
 
 /** Discs on white, y upwards, without text: fonts are what servers lack. */

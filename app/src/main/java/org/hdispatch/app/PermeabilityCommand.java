@@ -7,6 +7,7 @@ import java.util.List;
 import java.util.Optional;
 import java.util.OptionalDouble;
 import java.util.concurrent.Callable;
+import org.hdispatch.app.text.Numbers;
 import org.hdispatch.dispatch.Dispatcher;
 import org.hdispatch.lbm.immersed.ImmersedBodies;
 import org.hdispatch.porous.darcy.PhysicalFlow;

@@ -3,7 +3,10 @@ package org.hdispatch.app;
 import java.util.List;
 import java.util.Optional;
 import java.util.function.DoubleFunction;
-import org.hdispatch.app.SvgWriter.Mark;
+import org.hdispatch.app.draw.LogPlot;
+import org.hdispatch.app.draw.PlotInk;
+import org.hdispatch.app.draw.SvgWriter.Mark;
+import org.hdispatch.app.text.Numbers;
 import org.hdispatch.sph.SearchMode;
 
 /** A study of searches as pictures, the first after figure 3 of Leonardi et al. 2011. */

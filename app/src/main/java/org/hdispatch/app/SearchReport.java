@@ -3,6 +3,8 @@ package org.hdispatch.app;
 import java.util.List;
 import java.util.Locale;
 import java.util.OptionalDouble;
+import org.hdispatch.app.text.Columns;
+import org.hdispatch.app.text.Table;
 import org.hdispatch.gc.GcWatch;
 import org.hdispatch.sph.SphTimes;
 import org.hdispatch.sph.cases.SphFigures;

@@ -5,6 +5,8 @@ import java.util.Locale;
 import java.util.Optional;
 import java.util.concurrent.Callable;
 import java.util.function.Predicate;
+import org.hdispatch.app.text.Numbers;
+import org.hdispatch.app.text.Table;
 import org.hdispatch.dispatch.Dispatcher;
 import org.hdispatch.dispatch.Tick;
 import org.hdispatch.dispatch.TimeLoop;

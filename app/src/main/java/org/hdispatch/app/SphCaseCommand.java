@@ -3,6 +3,8 @@ package org.hdispatch.app;
 import java.util.List;
 import java.util.Optional;
 import java.util.concurrent.Callable;
+import org.hdispatch.app.text.Numbers;
+import org.hdispatch.app.text.Table;
 import org.hdispatch.porous.io.ImageFileException;
 import org.hdispatch.sph.Particles;
 import org.hdispatch.sph.SphScheme;

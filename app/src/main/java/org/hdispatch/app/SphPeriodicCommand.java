@@ -2,6 +2,7 @@ package org.hdispatch.app;
 
 import java.util.Optional;
 import java.util.concurrent.Callable;
+import org.hdispatch.app.text.Table;
 import org.hdispatch.porous.io.ImageFileException;
 import org.hdispatch.sph.SphScheme;
 import org.hdispatch.sph.SphSchemeBuilder;

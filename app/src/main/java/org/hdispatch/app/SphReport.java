@@ -1,6 +1,8 @@
 package org.hdispatch.app;
 
 import java.util.Locale;
+import org.hdispatch.app.text.Numbers;
+import org.hdispatch.app.text.Table;
 import org.hdispatch.sph.SphScheme;
 import org.hdispatch.sph.SphTimes;
 import org.hdispatch.sph.cases.SphFigures;

@@ -1,6 +1,7 @@
 package org.hdispatch.app;
 
 import java.util.Locale;
+import org.hdispatch.app.text.Numbers;
 import org.hdispatch.porous.flow.FlowListener;
 
 /** Shows how far a study of steady states is. */

@@ -5,6 +5,9 @@ import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
 import java.util.OptionalDouble;
+import org.hdispatch.app.text.Columns;
+import org.hdispatch.app.text.Numbers;
+import org.hdispatch.app.text.Table;
 
 /** A study of steady states for programs (the keys stay as they are) and for people. */
 final class SteadyReport {

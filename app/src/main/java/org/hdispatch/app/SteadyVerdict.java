@@ -8,6 +8,7 @@ import java.util.List;
 import java.util.OptionalDouble;
 import java.util.function.Function;
 import java.util.stream.Stream;
+import org.hdispatch.app.text.Numbers;
 import org.hdispatch.lbm.duct.Spread;
 import org.hdispatch.porous.flow.Approach;
 

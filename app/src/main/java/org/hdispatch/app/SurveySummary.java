@@ -4,6 +4,8 @@ import java.util.List;
 import java.util.Optional;
 import java.util.TreeMap;
 import java.util.function.Predicate;
+import org.hdispatch.app.text.Numbers;
+import org.hdispatch.app.text.Table;
 import org.hdispatch.porous.image.Axis;
 import org.hdispatch.porous.survey.Spread;
 import org.hdispatch.porous.survey.SurveyRow;

@@ -3,8 +3,12 @@ package org.hdispatch.app;
 import java.util.List;
 import java.util.OptionalDouble;
 import java.util.function.Function;
-import org.hdispatch.app.SvgWriter.Anchor;
-import org.hdispatch.app.SvgWriter.Mark;
+import org.hdispatch.app.draw.ColourMap;
+import org.hdispatch.app.draw.LinearAxis;
+import org.hdispatch.app.draw.SvgWriter;
+import org.hdispatch.app.draw.SvgWriter.Anchor;
+import org.hdispatch.app.draw.SvgWriter.Mark;
+import org.hdispatch.app.text.Numbers;
 
 /**
  * A sweep as a picture after figure 4 of Leonardi et al. 2011: above, the speed of each bundle;
@@ -121,17 +125,6 @@ final class SweepPlot {
     svg.text(x + 40, y + 4, "one block a thread", Anchor.START, 0);
   }
 
-  /** The distance of ticks that are easy to read: 1, 2 or 5 times a power of ten. */
-  static double tickDistance(double highest) {
-    double power = Math.pow(10, Math.floor(Math.log10(highest / TICKS)));
-    for (double factor : new double[] {1, 2, 5}) {
-      if (highest <= TICKS * factor * power) {
-        return factor * power;
-      }
-    }
-    return 10 * power;
-  }
-
   /** One of the two coordinate systems. */
   private final class Panel {
     private final int top;
@@ -146,7 +139,7 @@ final class SweepPlot {
       this.value = value;
       double most =
           result.points().stream().map(value).mapToDouble(v -> v.orElse(0)).max().orElse(0);
-      tick = tickDistance(most > 0 ? most : 1);
+      tick = LinearAxis.tickDistance(most > 0 ? most : 1);
       highest = tick * Math.ceil(most > 0 ? most / tick : 1);
     }
 

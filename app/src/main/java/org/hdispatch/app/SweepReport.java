@@ -4,6 +4,9 @@ import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
 import java.util.OptionalDouble;
+import org.hdispatch.app.text.Columns;
+import org.hdispatch.app.text.Numbers;
+import org.hdispatch.app.text.Table;
 import org.hdispatch.lbm.duct.DuctFigures;
 import org.hdispatch.lbm.duct.Spread;
 

@@ -35,6 +35,9 @@ class ArchitectureTest {
   private static final String APP = "org.hdispatch.app..";
   private static final String STUDY = "org.hdispatch.app.study..";
 
+  private static final String DRAW = "org.hdispatch.app.draw..";
+  private static final String TEXT = "org.hdispatch.app.text..";
+
   private static final JavaClasses CODE =
       new ClassFileImporter()
           .withImportOption(new ImportOption.DoNotIncludeTests())
@@ -124,6 +127,18 @@ class ArchitectureTest {
         .should()
         .dependOnClassesThat()
         .resideInAPackage(APP)
+        .check(CODE);
+  }
+
+  @Test
+  void drawingAndTextKnowNothingOfCommands() {
+    classes()
+        .that()
+        .resideInAnyPackage(DRAW, TEXT)
+        .should()
+        .onlyDependOnClassesThat()
+        .resideInAnyPackage(
+            "java..", "javax.imageio..", "org.hdispatch.porous.image..", IO, DRAW, TEXT)
         .check(CODE);
   }
 

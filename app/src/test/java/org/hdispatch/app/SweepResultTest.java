@@ -194,12 +194,4 @@ class SweepResultTest {
     assertArrayEquals(new int[] {1, 2, 3, 4, 6, 8, 12, 16, 24}, DuctSweep.threadsUpTo(24));
     assertArrayEquals(new int[] {1, 2, 3, 4, 5}, DuctSweep.threadsUpTo(5));
   }
-
-  @Test
-  void ticksAreEasyToRead() {
-    assertEquals(50, SweepPlot.tickDistance(160));
-    assertEquals(20, SweepPlot.tickDistance(100));
-    assertEquals(0.2, SweepPlot.tickDistance(0.9), 1e-12);
-    assertEquals(1, SweepPlot.tickDistance(5));
-  }
 }

@@ -1,0 +1,2 @@
+/** Plots, pictures and pages: SVG, PNG, HTML. */
+package org.hdispatch.app.draw;
