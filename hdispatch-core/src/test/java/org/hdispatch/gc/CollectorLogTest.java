@@ -9,6 +9,7 @@ import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
+import java.util.Arrays;
 import java.util.Collections;
 import java.util.HashMap;
 import java.util.List;
@@ -24,7 +25,7 @@ import org.opentest4j.AssertionFailedError;
 /** What a watch has seen of a JVM against what that JVM itself has logged. */
 @Timeout(120)
 class CollectorLogTest {
-  /** A pause when it is over: G1 and others log its begin too, without a time. */
+  /** A pause when it is over. */
   private static final Pattern PAUSE =
       Pattern.compile("\\[(\\d+)ns\\].* GC\\(\\d+\\) .*\\bPause .* ([0-9.]+)ms$");
 
@@ -37,15 +38,14 @@ class CollectorLogTest {
   private static final double ROUNDING = 500;
 
   /**
-   * Log and recorder read the clock one after the other at both ends of a safepoint; so they do for
-   * a pause of Shenandoah, whose log counts the keeping of its statistics.
+   * Other collectors give log and recorder the same two readings of the clock; Shenandoah's log
+   * reads it before and after the recorder (ShenandoahPausePhase of HotSpot), and what lies between
+   * is an entry in a list at each end: a microsecond or two, however long the pause.
    */
-  private static final double READINGS = 12_000;
+  private static final double ENTRIES = 4_000;
 
-  /**
-   * What one of many pauses may miss of that, the longest above all: its statistics take longer.
-   */
-  private static final double READINGS_OF_ONE = 5 * READINGS;
+  /** Log and recorder read the clock one after the other at both ends of a safepoint. */
+  private static final double READINGS = 12_000;
 
   /** The machine may take the thread away between two such readings, but not always. */
   private static final int RUNS = 6;
@@ -67,46 +67,68 @@ class CollectorLogTest {
   }
 
   private void compare(String collector, Path log) throws IOException, InterruptedException {
-    Map<String, Long> seen = run(collector, log);
+    Map<String, String> said = run(collector, log);
     List<Double> pauses = new ArrayList<>(); // ns
     List<Double> stops = new ArrayList<>();
     double reaching = 0;
     for (String line : Files.readAllLines(log)) {
       Matcher pause = PAUSE.matcher(line);
-      if (pause.find() && inWindow(pause, seen)) {
+      if (pause.find() && inWindow(pause, said)) {
         pauses.add(1e6 * Double.parseDouble(pause.group(2)));
       }
       Matcher safepoint = SAFEPOINT.matcher(line);
-      if (safepoint.find() && inWindow(safepoint, seen)) {
+      if (safepoint.find() && inWindow(safepoint, said)) {
         reaching += Double.parseDouble(safepoint.group(2));
         stops.add(Double.parseDouble(safepoint.group(3)));
       }
     }
     assertTrue(pauses.size() >= 3, "pauses logged: " + pauses.size());
-    boolean shenandoah = collector.equals("Shenandoah");
-    double slack = ROUNDING + (shenandoah ? READINGS : 0);
-    assertClose(sum(pauses), seen.get("pauseNanos"), pauses.size() * slack);
-    if (collector.equals("Serial")) { // logs two lines for a young collection that turns full
-      assertTrue(pauses.size() >= seen.get("pauses"));
-      assertTrue(seen.get("pauseLongestNanos") > (1 - TOLERANCE) * Collections.max(pauses));
-    } else {
-      assertEquals(pauses.size(), seen.get("pauses"));
-      assertClose(
-          Collections.max(pauses),
-          seen.get("pauseLongestNanos"),
-          shenandoah ? READINGS_OF_ONE : slack);
+    List<Double> seen =
+        Arrays.stream(said.get("timeline").split(",")).map(Double::valueOf).toList();
+    assertEquals(seen.size(), number(said, "pauses"));
+    assertEquals(sum(seen), number(said, "pauseNanos"));
+    assertEquals(Collections.max(seen), number(said, "pauseLongestNanos"));
+    assertTrue(number(said, "pauseP99Nanos") <= Collections.max(seen));
+    switch (collector) {
+      case "Serial" -> { // logs two lines for a young collection that turns full
+        assertTrue(pauses.size() >= seen.size());
+        assertClose(sum(pauses), sum(seen), pauses.size() * ROUNDING);
+      }
+      case "Shenandoah" -> assertLogHoldsThePauses(pauses, seen);
+      default -> {
+        assertEquals(pauses.size(), seen.size());
+        for (int n = 0; n < pauses.size(); n++) {
+          assertClose(pauses.get(n), seen.get(n), ROUNDING);
+        }
+      }
     }
-    assertEquals(seen.get("pauseNanos"), seen.get("timelineNanos"));
-    assertTrue(seen.get("pauseP99Nanos") <= seen.get("pauseLongestNanos"));
-    assertEquals(stops.size(), seen.get("safepoints"));
-    assertClose(sum(stops), seen.get("safepointNanos"), stops.size() * READINGS);
-    assertClose(reaching, seen.get("reachingNanos"), stops.size() * READINGS);
-    assertTrue(seen.get("peakHeapBytes") > 20_000_000, () -> "peak " + seen.get("peakHeapBytes"));
+    assertEquals(stops.size(), number(said, "safepoints"));
+    assertClose(sum(stops), number(said, "safepointNanos"), stops.size() * READINGS);
+    assertClose(reaching, number(said, "reachingNanos"), stops.size() * READINGS);
+    assertTrue(number(said, "peakHeapBytes") > 20_000_000, () -> said.get("peakHeapBytes"));
   }
 
-  private static boolean inWindow(Matcher line, Map<String, Long> seen) {
+  /** No pause was logged shorter than seen, and most no longer than by the entries. */
+  private static void assertLogHoldsThePauses(List<Double> logged, List<Double> seen) {
+    assertEquals(logged.size(), seen.size());
+    int alike = 0;
+    for (int n = 0; n < logged.size(); n++) {
+      double longer = logged.get(n) - seen.get(n);
+      double slack = TOLERANCE * logged.get(n) + ROUNDING;
+      assertTrue(longer >= -slack, () -> "logged shorter by " + -longer + " ns");
+      alike += longer <= slack + ENTRIES ? 1 : 0;
+    }
+    int most = logged.size() / 2 + 1;
+    assertTrue(alike >= most, alike + " of " + logged.size() + " pauses alike");
+  }
+
+  private static boolean inWindow(Matcher line, Map<String, String> said) {
     long at = Long.parseLong(line.group(1));
-    return at >= seen.get("begin") && at < seen.get("end");
+    return at >= Long.parseLong(said.get("begin")) && at < Long.parseLong(said.get("end"));
+  }
+
+  private static double number(Map<String, String> said, String key) {
+    return Double.parseDouble(said.get(key));
   }
 
   private static double sum(List<Double> values) {
@@ -117,17 +139,21 @@ class CollectorLogTest {
     assertEquals(logged, seen, TOLERANCE * logged + slack);
   }
 
-  /** Runs a JVM of this collector, if there is one. */
-  private Map<String, Long> run(String collector, Path log)
+  /**
+   * Runs a JVM of this collector, if there is one. Its log does not tell of pauses as they begin:
+   * Shenandoah would count the writing of that line as part of the pause.
+   */
+  private Map<String, String> run(String collector, Path log)
       throws IOException, InterruptedException {
     Path out = folder.resolve("out.txt");
+    String what = collector.equals("Z") ? "gc,gc+phases,safepoint" : "gc,safepoint";
     Process jvm =
         new ProcessBuilder(
                 Path.of(System.getProperty("java.home"), "bin", "java").toString(),
                 "-XX:+Use" + collector + "GC",
                 "-Xms96m",
                 "-Xmx96m",
-                "-Xlog:gc*,safepoint:file=" + log + ":timenanos,tags:filecount=0",
+                "-Xlog:" + what + ":file=" + log + ":timenanos,tags:filecount=0",
                 "-cp",
                 System.getProperty("java.class.path")
                     + File.pathSeparator
@@ -141,13 +167,13 @@ class CollectorLogTest {
     assumeTrue(
         code == 0 || !(text.contains("not supported") || text.contains("Unrecognized")), text);
     assertEquals(0, code, text);
-    Map<String, Long> figures = new HashMap<>();
+    Map<String, String> said = new HashMap<>();
     for (String line : text.lines().toList()) {
       String[] words = line.split(" ");
-      if (words.length == 2 && words[1].matches("-?\\d+")) {
-        figures.put(words[0], Long.parseLong(words[1]));
+      if (words.length == 2) {
+        said.put(words[0], words[1]);
       }
     }
-    return figures;
+    return said;
   }
 }

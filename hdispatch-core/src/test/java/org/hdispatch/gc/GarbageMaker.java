@@ -1,7 +1,7 @@
 package org.hdispatch.gc;
 
-import java.time.Duration;
 import java.util.List;
+import java.util.stream.Collectors;
 
 /** A program that makes garbage while it is watched, and prints what the watch has seen. */
 final class GarbageMaker {
@@ -37,11 +37,10 @@ final class GarbageMaker {
       System.out.println("safepointNanos " + report.safepoints().total().toNanos());
       System.out.println("reachingNanos " + report.reaching().toNanos());
       System.out.println(
-          "timelineNanos "
+          "timeline "
               + report.timeline().stream()
-                  .map(GcReport.Pause::length)
-                  .reduce(Duration.ZERO, Duration::plus)
-                  .toNanos());
+                  .map(pause -> Long.toString(pause.length().toNanos()))
+                  .collect(Collectors.joining(",")));
       System.out.println("peakHeapBytes " + report.peakHeapBytes());
       System.out.println("kept " + live.length);
     }
