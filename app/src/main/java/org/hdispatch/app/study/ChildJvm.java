@@ -89,13 +89,14 @@ public record ChildJvm(Jdk jdk, Path folder) {
     command.add(1, "-Djava.io.tmpdir=" + temporary.toAbsolutePath());
     File out = folder.resolve(OUT).toFile(); // files: a pipe that nobody reads fills up
     File err = folder.resolve(ERR).toFile();
-    Process process =
-        new ProcessBuilder(command)
-            .directory(folder.toFile())
-            .redirectOutput(out)
-            .redirectError(err)
-            .start();
+    Process process = null;
     try {
+      process =
+          new ProcessBuilder(command)
+              .directory(folder.toFile())
+              .redirectOutput(out)
+              .redirectError(err)
+              .start();
       boolean inTime = process.waitFor(patience.toMillis(), TimeUnit.MILLISECONDS);
       if (Thread.interrupted()) { // Ctrl-C ends the child too
         throw new InterruptedException();
@@ -105,7 +106,9 @@ public record ChildJvm(Jdk jdk, Path folder) {
       Thread.currentThread().interrupt();
       throw new CancellationException("a child JVM was waited for");
     } finally {
-      process.destroyForcibly().onExit().join(); // at once, if it has ended
+      if (process != null) { // it was started
+        process.destroyForcibly().onExit().join(); // at once, if it has ended
+      }
       try (Stream<Path> left = Files.walk(temporary)) {
         for (Path each : left.sorted(Comparator.reverseOrder()).toList()) {
           Files.delete(each);

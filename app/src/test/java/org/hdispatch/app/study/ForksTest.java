@@ -1,9 +1,11 @@
 package org.hdispatch.app.study;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.io.IOException;
+import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
 import org.junit.jupiter.api.Test;
@@ -47,6 +49,15 @@ class ForksTest {
                 0.5);
     assertEquals("no end within 1 s", row.why());
     assertTrue(row.figures().isEmpty());
+  }
+
+  @Test
+  void jvmThatCannotBeStartedLeavesNothing() throws IOException {
+    Path home = Files.createDirectories(folder.resolve("jdk/bin")).getParent();
+    Path work = Files.createDirectory(folder.resolve("work"));
+    ChildJvm none = new ChildJvm(new Jdk(home, "17.0.15"), work);
+    assertThrows(IOException.class, () -> none.knows(List.of()));
+    assertEquals(0, work.toFile().list().length);
   }
 
   @Test
