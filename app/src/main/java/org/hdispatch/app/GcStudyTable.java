@@ -143,13 +143,16 @@ final class GcStudyTable {
     put(line, "stall", is ? figures.stalls() : null);
     line.put("step_p50_us", is ? times.p50Micros() : null)
         .put("step_p90_us", is ? times.p90Micros() : null)
-        .put("step_p99_us", is ? times.p99Micros() : null)
-        .put("step_p999_us", is ? times.p999Micros() : null)
+        .put("step_p99_us", is ? known(times.p99Micros()) : null)
+        .put("step_p999_us", is ? known(times.p999Micros()) : null)
         .put("step_max_us", is ? times.maxMicros() : null)
-        .put("bytes_per_step", is && figures.bytesPerStep() >= 0 ? figures.bytesPerStep() : null)
-        .put(
-            "bytes_per_step_in_all",
-            is && figures.bytesPerStepInAll() >= 0 ? figures.bytesPerStepInAll() : null);
+        .put("bytes_per_step", is ? known(figures.bytesPerStep()) : null)
+        .put("bytes_per_step_in_all", is ? known(figures.bytesPerStepInAll()) : null);
+  }
+
+  /** What was not measured is negative. */
+  private static Double known(double value) {
+    return value < 0 ? null : value;
   }
 
   private static void put(FlatRow line, String name, GcFigures.Stops stops) {

@@ -65,8 +65,8 @@ public record GcFigures(
    * Lengths of the steps, with their histogram.
    *
    * @param p50Micros median, us
-   * @param p99Micros 99th percentile, us
-   * @param p999Micros 99.9th percentile, us
+   * @param p99Micros 99th percentile, us; -1 if steps are fewer than 100
+   * @param p999Micros 99.9th percentile, us; -1 if steps are fewer than 1000
    * @param maxMicros longest, us
    * @param edgesMicros upper edges of the classes, us, ascending; shape: [classes]
    * @param counts steps in each class; shape: [classes]

@@ -42,10 +42,18 @@ final class StepHistogram {
     edges.add(edge);
     counts.add(count);
     return new GcFigures.StepTimes(
-        micros(50), micros(99), micros(99.9), histogram.getMaxValue() * MICRO, edges, counts);
+        micros(50, 1),
+        micros(99, 100),
+        micros(99.9, 1000),
+        histogram.getMaxValue() * MICRO,
+        edges,
+        counts);
   }
 
-  private double micros(double percentile) {
-    return histogram.getValueAtPercentile(percentile) * MICRO;
+  /** A percentile; -1 of fewer steps than that. */
+  private double micros(double percentile, long least) {
+    return histogram.getTotalCount() < least
+        ? -1
+        : histogram.getValueAtPercentile(percentile) * MICRO;
   }
 }

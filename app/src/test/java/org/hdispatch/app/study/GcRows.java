@@ -22,7 +22,7 @@ public final class GcRows {
     GcFigures.Stops stalls = new GcFigures.Stops(0, 0, 0, 0);
     GcFigures.StepTimes times =
         new GcFigures.StepTimes(
-            10_000, 12_000, 12_000, 12_000, List.of(11_000.0, 13_000.0), List.of(90L, 10L));
+            10_000, 12_000, -1, 12_000, List.of(11_000.0, 13_000.0), List.of(90L, 10L));
     return new GcRow(
         run,
         "",

@@ -23,6 +23,25 @@ class StepHistogramTest {
   }
 
   @Test
+  void percentileBeyondWhichThereIsNoStepIsNotKnown() {
+    StepHistogram histogram = new StepHistogram();
+    histogram.record(1000);
+    assertEquals(1, histogram.times().p50Micros(), DIGITS);
+    for (int n = 2; n < 100; n++) {
+      histogram.record(1000);
+    }
+    assertEquals(-1, histogram.times().p99Micros());
+    histogram.record(1000);
+    assertEquals(1, histogram.times().p99Micros(), DIGITS);
+    for (int n = 101; n < 1000; n++) {
+      histogram.record(1000);
+    }
+    assertEquals(-1, histogram.times().p999Micros());
+    histogram.record(1000);
+    assertEquals(1, histogram.times().p999Micros(), DIGITS);
+  }
+
+  @Test
   void everyStepIsInOneClassBelowItsEdge() {
     StepHistogram histogram = new StepHistogram();
     for (int n = 0; n < 90; n++) {

@@ -94,8 +94,8 @@ final class GcTable {
     cells.add(number(figures.stalls().count()));
     cells.add(stops(figures.stalls()).get(0));
     cells.add(number(1e-3 * figures.stepTimes().p50Micros()));
-    cells.add(figures.steps() < 100 ? NONE : number(1e-3 * figures.stepTimes().p99Micros()));
-    cells.add(figures.steps() < 1000 ? NONE : number(1e-3 * figures.stepTimes().p999Micros()));
+    cells.add(number(1e-3 * figures.stepTimes().p99Micros()));
+    cells.add(number(1e-3 * figures.stepTimes().p999Micros()));
     cells.add(number(1e-3 * figures.stepTimes().maxMicros()));
     cells.add(figures.bytesPerStep() < 0 ? NONE : Numbers.bytes(figures.bytesPerStep()));
     cells.add(whole(figures.peakHeapBytes() / MIB) + " / " + whole(figures.heapBytes() / MIB));

@@ -98,7 +98,12 @@ final class GcSamples {
       left -= share;
     }
     return new StepTimes(
-        median, tail * median, 1.3 * tail * median, 1.5 * tail * median, edges, counts);
+        median,
+        steps < 100 ? -1 : tail * median,
+        steps < 1000 ? -1 : 1.3 * tail * median,
+        1.5 * tail * median,
+        edges,
+        counts);
   }
 
   private static List<Pause> timeline(Stops pauses) {
