@@ -13,6 +13,8 @@ import java.util.Arrays;
  * @param arithmetic sum / count
  * @param geometric exp(mean of the logarithms); 0 if a value is 0
  * @param harmonic count / (sum of the inverses); 0 if a value is 0
+ * @param deviation standard deviation of the population that they are a sample of: the root of
+ *     sum((value - arithmetic)²)/(count - 1); NaN of a single value
  */
 public record Spread(
     int count,
@@ -21,7 +23,8 @@ public record Spread(
     double greatest,
     double arithmetic,
     double geometric,
-    double harmonic) {
+    double harmonic,
+    double deviation) {
 
   /**
    * The spread of some values.
@@ -33,7 +36,8 @@ public record Spread(
     Arrays.sort(sorted); // also so that the sums do not depend on the order
     int n = sorted.length;
     if (n == 0) {
-      return new Spread(0, Double.NaN, Double.NaN, Double.NaN, Double.NaN, Double.NaN, Double.NaN);
+      double none = Double.NaN;
+      return new Spread(0, none, none, none, none, none, none, none);
     }
     double sum = 0;
     double logs = 0;
@@ -43,8 +47,24 @@ public record Spread(
       logs += Math.log(each);
       inverses += 1 / each;
     }
+    double squares = 0;
+    for (double each : sorted) {
+      squares += (each - sum / n) * (each - sum / n);
+    }
     double median = (sorted[(n - 1) / 2] + sorted[n / 2]) / 2;
     return new Spread(
-        n, sorted[0], median, sorted[n - 1], sum / n, Math.exp(logs / n), n / inverses);
+        n,
+        sorted[0],
+        median,
+        sorted[n - 1],
+        sum / n,
+        Math.exp(logs / n),
+        n / inverses,
+        n > 1 ? Math.sqrt(squares / (n - 1)) : Double.NaN);
+  }
+
+  /** Coefficient of variation: deviation / arithmetic; NaN of a single value, or if all are 0. */
+  public double variation() {
+    return deviation / arithmetic;
   }
 }

@@ -43,6 +43,11 @@ public record SurveyRow(
     return all;
   }
 
+  /** The figures among the columns of a table: all that {@link #columns} did not put there. */
+  static List<String> figuresOf(List<String> columns) {
+    return columns.subList(Math.min(FIRST.size(), columns.size()), columns.size());
+  }
+
   /**
    * The row as values.
    *

@@ -15,6 +15,11 @@ public enum SurveyStatus {
   /** There is no result; the row says why. A restart tries again. */
   FAILED;
 
+  /** Whether there is a permeability that may be relied on, be it 0. */
+  public boolean hasPermeability() {
+    return this == DONE || this == DOES_NOT_PERCOLATE;
+  }
+
   /** As the row says it: {@code does-not-percolate}. */
   public String word() {
     return name().toLowerCase(Locale.ROOT).replace('_', '-');

@@ -19,6 +19,15 @@ class SpreadTest {
   }
 
   @Test
+  void deviationIsThatOfASample() {
+    Spread spread = Spread.of(new double[] {2, 4, 4, 4, 5, 5, 7, 9});
+    assertEquals(Math.sqrt(32.0 / 7), spread.deviation(), 1e-15);
+    assertEquals(Math.sqrt(32.0 / 7) / 5, spread.variation(), 1e-15);
+    assertEquals(Double.NaN, Spread.of(new double[] {3}).deviation());
+    assertEquals(0, Spread.of(new double[] {3, 3}).variation());
+  }
+
+  @Test
   void zeroBlocksAndNothingIsUnknown() {
     Spread spread = Spread.of(new double[] {0, 3});
     assertEquals(0, spread.geometric());
