@@ -15,7 +15,7 @@ public enum ReferenceBand {
    *   log10 k[mD] = (9.7982 - 12.0838 log10 L) + (8.6711 - 8.2965 log10 L) log10 phi
    * </pre>
    *
-   * The constants are as quoted elsewhere; the paper was not at hand. A second quotation, in
+   * The constants are as quoted elsewhere, not compared with the paper. A second quotation, in
    * natural logarithms, has the same 12.08, 8.671 and 3.603 = 8.2965/ln 10, and 27.56 for 9.7982 ln
    * 10 = 22.56, which looks like a misprint.
    */
