@@ -5,6 +5,7 @@ module org.hdispatch.porous {
   requires org.hdispatch.sph;
   requires io.jhdf;
 
+  exports org.hdispatch.porous.block;
   exports org.hdispatch.porous.darcy;
   exports org.hdispatch.porous.flow;
   exports org.hdispatch.porous.image;

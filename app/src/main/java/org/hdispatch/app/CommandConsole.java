@@ -16,9 +16,8 @@ import picocli.CommandLine.Model.CommandSpec;
 record CommandConsole(CommandSpec spec, Host host, OutputOptions output) {
   /** Prints the result. */
   void print(String text) throws ImageFileException {
-    PrintWriter out = spec.commandLine().getOut();
-    out.print(text);
-    if (out.checkError()) {
+    out().print(text);
+    if (out().checkError()) {
       throw new ImageFileException("standard output must be writable");
     }
   }
@@ -26,6 +25,10 @@ record CommandConsole(CommandSpec spec, Host host, OutputOptions output) {
   /** Whether progress is to be shown. */
   boolean isWatched() {
     return host.terminal() && !output.quiet();
+  }
+
+  PrintWriter out() {
+    return spec.commandLine().getOut();
   }
 
   PrintWriter err() {

@@ -2,6 +2,7 @@ package org.hdispatch.app;
 
 import org.hdispatch.gc.GcWatch;
 import org.hdispatch.lbm.duct.Duct;
+import org.hdispatch.porous.block.HeapException;
 
 /** How the heap is shared between a duct and the probe of the bandwidth. */
 final class DuctHeap {

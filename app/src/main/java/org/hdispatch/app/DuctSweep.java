@@ -17,6 +17,7 @@ import org.hdispatch.lbm.duct.Duct;
 import org.hdispatch.lbm.duct.DuctFigures;
 import org.hdispatch.lbm.duct.DuctRun;
 import org.hdispatch.lbm.duct.Spread;
+import org.hdispatch.porous.block.HeapException;
 
 /**
  * Ducts of several sizes, each with several bundles and numbers of threads (Leonardi et al. 2011,

@@ -6,6 +6,7 @@ import java.util.List;
 import java.util.Locale;
 import java.util.concurrent.CancellationException;
 import org.hdispatch.lbm.immersed.LostBodyException;
+import org.hdispatch.porous.block.HeapException;
 import org.hdispatch.porous.flow.DivergedException;
 import org.hdispatch.porous.io.ImageFileException;
 import org.hdispatch.sph.BlownUpException;

@@ -6,6 +6,7 @@ import java.util.OptionalDouble;
 import java.util.OptionalInt;
 import org.hdispatch.lbm.Storage;
 import org.hdispatch.lbm.VelocitySet;
+import org.hdispatch.porous.block.Walls;
 import org.hdispatch.porous.flow.Approach;
 import org.hdispatch.porous.flow.CollisionModel;
 import org.hdispatch.porous.flow.FlowOptions;
@@ -78,7 +79,7 @@ final class FlowSettings {
       paramLabel = "WALLS",
       defaultValue = "bounce-back",
       completionCandidates = Choices.OfWalls.class,
-      converter = Walls.Converter.class,
+      converter = WallsConverter.class,
       description =
           "Walls of the pores: ${COMPLETION-CANDIDATES}. With imb, immersed boundaries, voxels may be"
               + " solid in part: spheres exactly, images by --solid-fraction-range.")

@@ -2,6 +2,8 @@ package org.hdispatch.app;
 
 import java.nio.file.Path;
 import java.util.Optional;
+import org.hdispatch.porous.block.HeapException;
+import org.hdispatch.porous.block.HeapLimit;
 
 /**
  * What the process runs in, as far as the commands must know.
@@ -11,9 +13,6 @@ import java.util.Optional;
  * @param machineFile where findings about this machine are kept, if anywhere
  */
 record Host(long heapBytes, boolean terminal, Optional<Path> machineFile) {
-  /** What the JVM and the program take before any image, bytes. */
-  private static final long BASE = 32L << 20;
-
   /** A host that keeps nothing. */
   Host(long heapBytes, boolean terminal) {
     this(heapBytes, terminal, Optional.empty());
@@ -34,6 +33,10 @@ record Host(long heapBytes, boolean terminal, Optional<Path> machineFile) {
         .put("java", Version.ofJava());
   }
 
+  HeapLimit heap() {
+    return new HeapLimit(heapBytes);
+  }
+
   /**
    * Checks that something will fit.
    *
@@ -42,15 +45,13 @@ record Host(long heapBytes, boolean terminal, Optional<Path> machineFile) {
    * @throws HeapException if it will not
    */
   void requireHeap(String what, double bytes) {
-    if (bytes + BASE > heapBytes) {
-      throw new HeapException(what, bytes + BASE, heapBytes);
-    }
+    heap().require(what, bytes);
   }
 
   /**
    * Heap that is left beside something that takes this much, bytes; negative if it does not fit.
    */
   double heapBeside(double bytes) {
-    return heapBytes - BASE - bytes;
+    return heapBytes - HeapLimit.BASE - bytes;
   }
 }

@@ -19,30 +19,11 @@ import org.hdispatch.porous.io.RawImages;
 import org.hdispatch.porous.io.TiffImages;
 
 /** Where an image comes from; its size is known, none of its voxels has been read. */
-interface ImageSource {
-  /** What it is called in reports and errors. */
-  String name();
-
-  /** The whole image. */
-  VoxelBox whole();
-
-  /** Edge of a voxel in m, if the source knows it. */
-  OptionalDouble voxelEdge();
-
-  /** What is to be said about the source itself: key, value. */
-  Map<String, Object> facts() throws ImageFileException;
-
+interface ImageSource extends ImageFile {
   /** What to cite, line by line. */
   default List<String> citation() {
     return List.of();
   }
-
-  /**
-   * Reads a part.
-   *
-   * @throws IllegalArgumentException if the box does not lie inside, or is too large for one image
-   */
-  VoxelImage read(VoxelBox box) throws ImageFileException;
 
   /**
    * The source that the options name.

@@ -1,6 +1,7 @@
 package org.hdispatch.app;
 
 import java.util.List;
+import org.hdispatch.porous.block.Method;
 import org.hdispatch.porous.flow.SphOptions;
 import picocli.CommandLine.Option;
 

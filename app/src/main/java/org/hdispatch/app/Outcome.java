@@ -2,6 +2,9 @@ package org.hdispatch.app;
 
 import java.util.Optional;
 import java.util.OptionalDouble;
+import org.hdispatch.porous.block.FlowFigures;
+import org.hdispatch.porous.block.Method;
+import org.hdispatch.porous.block.Walls;
 import org.hdispatch.porous.darcy.Permeability;
 import org.hdispatch.porous.darcy.PhysicalFlow;
 import org.hdispatch.porous.flow.FlowOptions;
@@ -33,8 +36,13 @@ record Outcome(
     return rock.solid().isPresent() ? Walls.IMB : Walls.BOUNCE_BACK;
   }
 
+  /** All that it comes to in physical units. */
+  FlowFigures figures() {
+    return new FlowFigures(flow, rock.voxelEdge(), fluid);
+  }
+
   Permeability permeability() {
-    return new Permeability(flow.permeability(), rock.voxelEdge());
+    return figures().permeability();
   }
 
   CollectorReport collectorReport() {
@@ -51,24 +59,16 @@ record Outcome(
 
   /** Superficial (Darcy) velocity, m/s, if the voxel edge is known. */
   OptionalDouble superficialVelocity() {
-    return fluid.superficialVelocity(permeability());
+    return figures().superficialVelocity();
   }
 
   /** Mean velocity within the connected pores, m/s, if the voxel edge is known. */
   OptionalDouble poreVelocity() {
-    OptionalDouble q = superficialVelocity();
-    return q.isEmpty() || !percolates()
-        ? q
-        : OptionalDouble.of(q.getAsDouble() / connectedPorosity());
+    return figures().poreVelocity();
   }
 
   /** Reynolds number of the pore velocity and the hydraulic diameter, if the edge is known. */
   OptionalDouble reynolds() {
-    OptionalDouble u = poreVelocity();
-    if (u.isEmpty() || !percolates()) {
-      return u;
-    }
-    double diameter = flow.chosen().hydraulicDiameter() * rock.voxelEdge().getAsDouble();
-    return OptionalDouble.of(fluid.reynolds(u.getAsDouble(), diameter));
+    return figures().reynolds();
   }
 }

@@ -5,6 +5,7 @@ import java.util.OptionalDouble;
 import org.hdispatch.app.text.Numbers;
 import org.hdispatch.app.text.Table;
 import org.hdispatch.lbm.Storage;
+import org.hdispatch.porous.block.Method;
 import org.hdispatch.porous.darcy.Permeability;
 import org.hdispatch.porous.flow.FlowOptions;
 import org.hdispatch.porous.flow.SteadyFlow;

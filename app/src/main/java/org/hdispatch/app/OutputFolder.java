@@ -16,10 +16,12 @@ import org.hdispatch.porous.io.WholeFiles;
 final class OutputFolder implements AutoCloseable {
   private final Path folder;
   private final Deque<Path> made; // innermost first
+  private final boolean own; // nobody else comes to it
 
-  private OutputFolder(Path folder, Deque<Path> made) {
+  private OutputFolder(Path folder, Deque<Path> made, boolean own) {
     this.folder = folder;
     this.made = made;
+    this.own = own;
   }
 
   /**
@@ -28,10 +30,22 @@ final class OutputFolder implements AutoCloseable {
    * @throws ImageFileException if that is not possible; nothing is left behind
    */
   static OutputFolder open(Path folder) throws ImageFileException {
+    return open(folder, true);
+  }
+
+  /**
+   * Likewise, for a folder that other processes may come to at any time: it is not taken away, as
+   * one of them may be about to write its first file.
+   */
+  static OutputFolder openShared(Path folder) throws ImageFileException {
+    return open(folder, false);
+  }
+
+  private static OutputFolder open(Path folder, boolean own) throws ImageFileException {
     if (Files.exists(folder) && !Files.isDirectory(folder)) {
       throw new ImageFileException("output must be a folder: folder=" + folder);
     }
-    OutputFolder opened = new OutputFolder(folder, new ArrayDeque<>());
+    OutputFolder opened = new OutputFolder(folder, new ArrayDeque<>(), own);
     try {
       opened.makeWithParents(folder.toAbsolutePath().normalize());
       Files.delete(Files.createTempFile(folder, ".hdispatch", ".part"));
@@ -55,8 +69,10 @@ final class OutputFolder implements AutoCloseable {
         }
         throw e;
       }
-      made.push(missing);
-      missing.toFile().deleteOnExit(); // if it is empty then: Ctrl-C may leave no time to close
+      if (own) {
+        made.push(missing);
+        missing.toFile().deleteOnExit(); // if it is empty then: Ctrl-C may leave no time to close
+      }
     }
   }
 

@@ -46,9 +46,19 @@ final class OutputOptions {
     return json ? row.toJson() : csv ? row.toCsv() : text;
   }
 
-  /** Several results and what sums them up, in the form asked for; as CSV, the results alone. */
-  String form(FlatRow summary, List<FlatRow> rows, String text) {
-    return json ? FlatRow.toJson(summary, rows) : form(rows, text);
+  /** Forms of a result. */
+  enum Form {
+    /** For people. */
+    TEXT,
+    /** For programs. */
+    JSON,
+    /** For tables. */
+    CSV
+  }
+
+  /** The form asked for. */
+  Form form() {
+    return json ? Form.JSON : csv ? Form.CSV : Form.TEXT;
   }
 
   /** Several results in the form asked for. */

@@ -10,6 +10,7 @@ import java.util.concurrent.Callable;
 import org.hdispatch.app.text.Numbers;
 import org.hdispatch.dispatch.Dispatcher;
 import org.hdispatch.lbm.immersed.ImmersedBodies;
+import org.hdispatch.porous.block.FlowChoice;
 import org.hdispatch.porous.darcy.PhysicalFlow;
 import org.hdispatch.porous.flow.FlowListener;
 import org.hdispatch.porous.flow.Inlet;
@@ -61,13 +62,21 @@ final class PermeabilityCommand implements Callable<Integer> {
             ? Rock.of(spheres, imageOptions, settings.walls(), host)
             : Rock.of(ImageSource.of(imageOptions), imageOptions, settings, host);
     Rock rock = whole.refined(finer, host);
-    choice.requireHeap(rock, host);
+    requireHeap(choice, rock);
     gcReport.check();
     if (output.folder().isEmpty()) {
       return report(compute(rock, choice, fluid), Optional.empty());
     }
     try (OutputFolder folder = OutputFolder.open(output.folder().get())) {
       return report(compute(rock, choice, fluid), Optional.of(folder));
+    }
+  }
+
+  private void requireHeap(FlowChoice choice, Rock rock) {
+    try {
+      choice.requireHeap(rock.pores(), host.heap());
+    } catch (IllegalArgumentException e) { // rock without any wall
+      throw new UsageException(e.getMessage());
     }
   }
 
@@ -80,7 +89,7 @@ final class PermeabilityCommand implements Callable<Integer> {
         listeners.add(progress);
       }
       FlowListener all = new Listeners(listeners);
-      SteadyFlow flow = choice.solve(dispatcher, rock, all);
+      SteadyFlow flow = choice.solve(dispatcher, rock.pores(), all);
       return new Outcome(
           choice.method(), rock, fluid, flow, threadOptions.threads(), figures(collector));
     }
@@ -160,7 +169,7 @@ final class PermeabilityCommand implements Callable<Integer> {
   private FlowChoice choice() {
     output.folder();
     Given given = new Given(spec.commandLine().getParseResult());
-    FlowChoice choice = FlowChoice.of(methodOptions, settings, given).along(axisOption.axis());
+    FlowChoice choice = FlowChoices.of(methodOptions, settings, given).along(axisOption.axis());
     if (spheres.packing().isEmpty()) {
       SphereOptions.NAMES.forEach(name -> given.refuse(name, "--spheres"));
       if (choice.options().inlet() != Inlet.SLAB) {

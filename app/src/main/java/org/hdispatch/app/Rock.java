@@ -6,6 +6,8 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.OptionalDouble;
+import org.hdispatch.porous.block.Pores;
+import org.hdispatch.porous.block.Walls;
 import org.hdispatch.porous.flow.SolidFractions;
 import org.hdispatch.porous.image.LabelRule;
 import org.hdispatch.porous.image.VoxelBox;
@@ -30,16 +32,14 @@ record Rock(
     OptionalDouble voxelEdge,
     Map<String, Object> origin,
     List<String> citation) {
-  /** Heap to make a pore space and to see what spans it: image, pore space, its part, its runs. */
-  static final int BYTES_PER_VOXEL = 5;
-
-  /** Why walls that are immersed are not refined. */
-  static final String NOT_REFINED =
-      "--refine must come with voxels that are solid or not: walls=imb";
-
   /** Keeps copies of the lists. */
   Rock {
     citation = List.copyOf(citation);
+  }
+
+  /** What flows take of it. */
+  Pores pores() {
+    return new Pores(space, solid);
   }
 
   /**
@@ -125,15 +125,8 @@ record Rock(
       Optional<List<Integer>> range) {
     LabelRule rule = options.rule();
     OptionalDouble edge = edgeOf(source, options);
-    Optional<SolidFractions> solid =
-        range.map(
-            grey ->
-                UsageException.orRefused(
-                    () -> SolidFractions.ofGrey(image, grey.get(0), grey.get(1))));
-    PoreSpace space = solid.map(each -> each.below(0.5)).orElse(PoreSpace.of(image, rule));
-    if (walls == Walls.IMB && solid.isEmpty()) {
-      solid = Optional.of(SolidFractions.of(space));
-    }
+    Pores pores =
+        UsageException.orRefused(() -> Pores.of(image, rule, walls, range.orElse(List.of())));
     Map<String, Object> origin = new LinkedHashMap<>();
     origin.put("image", source.name());
     origin.put("box", box.toString());
@@ -142,7 +135,7 @@ record Rock(
     } else {
       origin.put("pore_values", rule.toString().replace("pore=", ""));
     }
-    return new Rock(source.name(), space, solid, edge, origin, source.citation());
+    return new Rock(source.name(), pores.space(), pores.solid(), edge, origin, source.citation());
   }
 
   /** Regular spheres. */
@@ -167,25 +160,12 @@ record Rock(
     if (n == 1) {
       return this;
     }
-    if (solid.isPresent()) {
-      throw new UsageException(NOT_REFINED);
-    }
-    host.requireHeap(
-        "a rock of " + space.voxels() + " voxels, each cut into " + n * n * n,
-        BYTES_PER_VOXEL * (double) space.voxels() * n * n * n);
-    PoreSpace fine =
-        UsageException.orRefused(
-            () ->
-                PoreSpace.of(
-                    Math.multiplyExact(n, space.nx()),
-                    Math.multiplyExact(n, space.ny()),
-                    Math.multiplyExact(n, space.nz()),
-                    (x, y, z) -> space.isPore(x / n, y / n, z / n)));
+    Pores fine = UsageException.orRefused(() -> pores().refined(n, host.heap()));
     OptionalDouble edge =
         voxelEdge.isPresent() ? OptionalDouble.of(voxelEdge.getAsDouble() / n) : voxelEdge;
     Map<String, Object> more = new LinkedHashMap<>(origin);
     more.put("refine", n);
-    return new Rock(name, fine, solid, edge, more, citation);
+    return new Rock(name, fine.space(), fine.solid(), edge, more, citation);
   }
 
   /** The box to take, checked to lie inside. */
@@ -201,7 +181,8 @@ record Rock(
 
   /** Reads a box, if it fits into the heap. */
   static VoxelImage read(ImageSource source, VoxelBox box, Host host) throws ImageFileException {
-    host.requireHeap("an image of " + box.voxels() + " voxels", BYTES_PER_VOXEL * box.voxels());
+    host.requireHeap(
+        "an image of " + box.voxels() + " voxels", (double) Pores.BYTES_PER_VOXEL * box.voxels());
     return source.read(box);
   }
 

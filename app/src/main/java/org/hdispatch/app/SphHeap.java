@@ -1,6 +1,7 @@
 package org.hdispatch.app;
 
 import java.util.Locale;
+import org.hdispatch.porous.block.HeapException;
 import org.hdispatch.sph.SearchMode;
 
 /** How much heap particles take. */

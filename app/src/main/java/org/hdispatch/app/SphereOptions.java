@@ -2,6 +2,8 @@ package org.hdispatch.app;
 
 import java.util.List;
 import java.util.Optional;
+import org.hdispatch.porous.block.Pores;
+import org.hdispatch.porous.block.Walls;
 import org.hdispatch.porous.flow.SolidFractions;
 import org.hdispatch.porous.pore.PoreSpace;
 import org.hdispatch.porous.pore.SpherePacking;
@@ -55,7 +57,7 @@ final class SphereOptions {
   PoreSpace poreSpace(Host host) {
     UsageException.orRefused(() -> packing.radius(size, solidFraction));
     double voxels = Math.pow(size, 3);
-    host.requireHeap("spheres of " + size + "^3 voxels", voxels * Rock.BYTES_PER_VOXEL);
+    host.requireHeap("spheres of " + size + "^3 voxels", voxels * Pores.BYTES_PER_VOXEL);
     return UsageException.orRefused(() -> packing.poreSpace(size, solidFraction));
   }
 

@@ -6,6 +6,7 @@ import java.util.List;
 import java.util.Optional;
 import java.util.concurrent.Callable;
 import java.util.concurrent.CancellationException;
+import org.hdispatch.porous.block.Pores;
 import org.hdispatch.porous.flow.FlowOptions;
 import org.hdispatch.porous.flow.LbmFlow;
 import org.hdispatch.porous.image.VoxelBox;
@@ -84,7 +85,7 @@ final class SteadyStudyCommand implements Callable<Integer> {
       long bytes = UsageException.orRefused(() -> LbmFlow.estimatedBytes(rock.space(), flow));
       host.requireHeap(
           "the flow of " + rock.space().poreVoxels() + " pore voxels",
-          bytes + (double) voxels * Rock.BYTES_PER_VOXEL);
+          bytes + (double) voxels * Pores.BYTES_PER_VOXEL);
     }
   }
 

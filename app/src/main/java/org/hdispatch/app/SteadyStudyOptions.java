@@ -6,6 +6,8 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.OptionalDouble;
+import org.hdispatch.porous.block.HeapException;
+import org.hdispatch.porous.block.Pores;
 import org.hdispatch.porous.flow.FlowOptions;
 import org.hdispatch.porous.image.Axis;
 import org.hdispatch.porous.pore.RandomSpheres;
@@ -85,7 +87,7 @@ final class SteadyStudyOptions {
     RandomSpheres spheres = UsageException.orRefused(() -> new RandomSpheres(radius, seed));
     host.requireHeap(
         porosities.size() + " rocks of " + size + "^3 voxels",
-        porosities.size() * Math.pow(size, 3) * Rock.BYTES_PER_VOXEL);
+        porosities.size() * Math.pow(size, 3) * Pores.BYTES_PER_VOXEL);
     List<Rock> rocks = new ArrayList<>();
     for (double porosity : porosities) {
       Map<String, Object> origin = new LinkedHashMap<>();

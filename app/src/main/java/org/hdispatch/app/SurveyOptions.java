@@ -7,10 +7,9 @@ import java.util.List;
 import java.util.Optional;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
+import org.hdispatch.porous.block.Outside;
 import org.hdispatch.porous.image.Axis;
-import org.hdispatch.porous.image.LabelRule;
 import org.hdispatch.porous.image.VoxelBox;
-import org.hdispatch.porous.image.VoxelImage;
 import org.hdispatch.porous.survey.BlockGrid;
 import org.hdispatch.porous.survey.Extent;
 import org.hdispatch.porous.survey.Shard;
@@ -109,8 +108,8 @@ final class SurveyOptions {
       names = "--shard",
       paramLabel = "I/N",
       description =
-          "Do only every N-th job from the I-th on, into files of its own; shards may run at the"
-              + " same time into one folder. Default: all jobs.")
+          "Do only every N-th block from the I-th on, into files of its own; shards may run at"
+              + " the same time into one folder. Default: all blocks.")
   private String shard;
 
   @Option(
@@ -144,24 +143,8 @@ final class SurveyOptions {
   }
 
   /** Labels outside the sample; none if all voxels are of it. */
-  boolean[] outsideLabels(LabelRule rule, boolean segmented) {
-    boolean[] labels = new boolean[VoxelImage.LABELS];
-    for (int label : outsideValue == null ? List.<Integer>of() : outsideValue) {
-      if (label < 0 || label >= labels.length) {
-        throw new UsageException("outside value must be within 0 to 255: label=" + label);
-      }
-      if (segmented && rule.poreLabels().contains(label)) {
-        throw new UsageException(
-            "outside value must be no pore value (give --pore-value): label=" + label);
-      }
-      labels[label] = true;
-    }
-    return labels;
-  }
-
-  /** What tells of the outside in settings: {@code flag 3}; empty if all voxels are inside. */
-  String outsideWords() {
-    return outsideValue == null ? "" : Choices.word(outside) + " " + joined(outsideValue);
+  List<Integer> outsideLabels() {
+    return outsideValue == null ? List.of() : outsideValue;
   }
 
   /**
@@ -275,20 +258,7 @@ final class SurveyOptions {
     if (random != null) {
       return random + " at random, seed " + seed;
     }
-    return ranges(plan.blocks().stream().map(SurveyPlan.Block::number).toList());
-  }
-
-  /** Numbers in their order, those that follow each other as a range: {@code 0,4,7-9}. */
-  private static String ranges(List<Long> all) {
-    List<String> words = new ArrayList<>();
-    for (int from = 0, to; from < all.size(); from = to) {
-      to = from + 1;
-      while (to < all.size() && all.get(to) == all.get(to - 1) + 1) {
-        to++;
-      }
-      words.add(to - from == 1 ? all.get(from).toString() : all.get(from) + "-" + all.get(to - 1));
-    }
-    return String.join(",", words);
+    return plan.numbers();
   }
 
   /** The distance between blocks as settings keep it; empty if places are given. */

@@ -1,9 +1,11 @@
 package org.hdispatch.app;
 
+import java.util.ArrayList;
+import java.util.EnumMap;
 import java.util.List;
-import java.util.Optional;
-import java.util.TreeMap;
-import java.util.function.Predicate;
+import java.util.Map;
+import java.util.Set;
+import java.util.stream.Stream;
 import org.hdispatch.app.text.Numbers;
 import org.hdispatch.app.text.Table;
 import org.hdispatch.porous.image.Axis;
@@ -14,58 +16,82 @@ import org.hdispatch.porous.survey.SurveyStatus;
 /**
  * What the rows of a survey come to. Permeabilities are those of the blocks that percolate and
  * converged; how many do not percolate is said beside them.
- *
- * @param jobs all jobs of the survey
- * @param rows those that are there
  */
-record SurveySummary(int jobs, List<SurveyRow> rows) {
+final class SurveySummary {
   private static final int DIGITS = 4;
+  private static final long NONE = -1;
+
+  private final int jobs;
+  private final Map<SurveyStatus, Integer> statuses = new EnumMap<>(SurveyStatus.class);
+  private final Map<Axis, List<Double>> permeabilities = new EnumMap<>(Axis.class); // mD
+  private final List<Double> porosities = new ArrayList<>(); // of each block once
+  private int rows;
+  private int blocks;
+  private long block = NONE; // of the last row
+  private long porous = NONE; // the last block of which there is a porosity
+
+  /**
+   * The summary of no row yet.
+   *
+   * @param jobs all jobs of the survey
+   */
+  SurveySummary(int jobs) {
+    this.jobs = jobs;
+  }
+
+  /** Takes in a row; they come in the order of their jobs, block by block. */
+  void add(SurveyRow row) {
+    rows++;
+    long of = row.job().block();
+    blocks += of == block ? 0 : 1;
+    block = of;
+    statuses.merge(row.status(), 1, Integer::sum);
+    List<Double> along =
+        permeabilities.computeIfAbsent(row.job().axis(), axis -> new ArrayList<>());
+    if (row.status() == SurveyStatus.DONE) {
+      row.number("permeability_mD").ifPresent(along::add);
+    }
+    if (of != porous) {
+      row.number("porosity")
+          .ifPresent(
+              found -> {
+                porosities.add(found);
+                porous = of;
+              });
+    }
+  }
 
   int count(SurveyStatus status) {
-    return (int) rows.stream().filter(row -> row.status() == status).count();
+    return statuses.getOrDefault(status, 0);
   }
 
-  /** The spread of the permeabilities along an axis, mD, or along all. */
-  private Spread permeability(Optional<Axis> axis) {
-    return spread(
-        "permeability_mD",
-        row ->
-            row.status() == SurveyStatus.DONE
-                && (axis.isEmpty() || row.job().axis() == axis.get()));
+  /** The spread of the permeabilities along an axis, mD. */
+  private Spread permeability(Axis axis) {
+    return spread(permeabilities.get(axis).stream());
   }
 
-  /** The spread of the porosities of the blocks, each block once. */
   private Spread porosity() {
-    TreeMap<Long, Double> porosities = new TreeMap<>();
-    for (SurveyRow row : rows) {
-      row.number("porosity").ifPresent(each -> porosities.put(row.job().block(), each));
-    }
-    return Spread.of(porosities.values().stream().mapToDouble(Double::doubleValue).toArray());
+    return spread(porosities.stream());
   }
 
-  private Spread spread(String column, Predicate<SurveyRow> wanted) {
-    return Spread.of(
-        rows.stream().filter(wanted).flatMapToDouble(row -> row.number(column).stream()).toArray());
+  private static Spread spread(Stream<Double> values) {
+    return Spread.of(values.mapToDouble(Double::doubleValue).toArray());
   }
 
-  private List<Axis> axes() {
-    return rows.stream().map(row -> row.job().axis()).distinct().sorted().toList();
+  private Set<Axis> axes() {
+    return permeabilities.keySet();
   }
 
   /** For programs. */
   FlatRow row() {
-    FlatRow row =
-        new FlatRow()
-            .put("jobs", jobs)
-            .put("blocks", rows.stream().map(each -> each.job().block()).distinct().count())
-            .put("rows", rows.size());
+    FlatRow row = new FlatRow().put("jobs", jobs).put("blocks", blocks).put("rows", rows);
     for (SurveyStatus status : SurveyStatus.values()) {
       row.put(status.word().replace('-', '_'), count(status));
     }
     put(row, "porosity", "", porosity());
-    put(row, "permeability_mD", "", permeability(Optional.empty()));
+    put(row, "permeability_mD", "", spread(permeabilities.values().stream().flatMap(List::stream)));
     for (Axis axis : axes()) {
-      put(row, "permeability_mD", "_" + Choices.word(axis), permeability(Optional.of(axis)));
+      put(row, "permeability_mD", "_" + Choices.word(axis), permeability(axis));
     }
     return row;
   }
@@ -83,7 +109,7 @@ record SurveySummary(int jobs, List<SurveyRow> rows) {
   /** For people, less the files. */
   Table table() {
     Table table = new Table();
-    table.line("jobs", rows.size() + " of " + jobs + " have a row");
+    table.line("jobs", rows + " of " + jobs + " have a row");
     table.line("done", count(SurveyStatus.DONE) + " percolate and have a permeability");
     for (SurveyStatus status :
         List.of(
@@ -107,7 +133,7 @@ record SurveySummary(int jobs, List<SurveyRow> rows) {
               + Numbers.significant(porosity.greatest(), DIGITS));
     }
     for (Axis axis : axes()) {
-      Spread found = permeability(Optional.of(axis));
+      Spread found = permeability(axis);
       if (found.count() > 0) {
         table
             .line(

@@ -20,6 +20,7 @@ import com.tngtech.archunit.library.GeneralCodingRules;
 import java.lang.invoke.VarHandle;
 import java.util.concurrent.Callable;
 import java.util.concurrent.CancellationException;
+import org.hdispatch.porous.block.BlockStudy;
 import org.junit.jupiter.api.Test;
 
 /** Who may use whom, and who may do what. */
@@ -188,7 +189,8 @@ class ArchitectureTest {
     noClasses()
         .that(are(noStudy))
         .and()
-        .doNotBelongToAnyOf(Interruption.class, Faults.class) // Faults asks: interrupted?
+        .doNotBelongToAnyOf( // the last two ask: interrupted?
+            Interruption.class, Faults.class, BlockStudy.class)
         .should()
         .dependOnClassesThat()
         .belongToAnyOf(Thread.class, ThreadLocal.class, ThreadGroup.class)

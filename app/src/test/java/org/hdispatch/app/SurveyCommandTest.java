@@ -17,6 +17,7 @@ import java.util.Map;
 import java.util.Set;
 import java.util.TreeSet;
 import java.util.stream.Stream;
+import org.hdispatch.porous.block.BlockColumns;
 import org.hdispatch.porous.io.CsvLine;
 import org.hdispatch.porous.survey.SurveyRow;
 import org.junit.jupiter.api.Test;
@@ -107,8 +108,8 @@ class SurveyCommandTest {
   /** A column of permeability is in the row, or left out for a reason. */
   @Test
   void noColumnOfPermeabilityIsForgotten() {
-    Set<String> known = new TreeSet<>(SurveyRow.columns(SurveyColumns.FIGURES));
-    known.addAll(SurveyColumns.TIMES);
+    Set<String> known = new TreeSet<>(SurveyRow.columns(BlockColumns.FIGURES));
+    known.addAll(BlockColumns.TIMES);
     known.add("box"); // origin and size are columns of their own
     known.addAll( // of the process, not of the block
         List.of(
@@ -198,7 +199,7 @@ class SurveyCommandTest {
         Files.readString(folder.resolve("one/survey.csv")),
         Files.readString(folder.resolve("two/survey.csv")));
     List<Map<String, String>> times = rows(folder.resolve("two/survey-times.csv"));
-    assertEquals(SurveyColumns.TIMES, List.copyOf(times.get(0).keySet()));
+    assertEquals(BlockColumns.TIMES, List.copyOf(times.get(0).keySet()));
     assertEquals(List.of("2", "2"), column(times, "threads"));
     for (Map<String, String> each : times) {
       assertTrue(
@@ -275,25 +276,16 @@ class SurveyCommandTest {
   }
 
   @Test
-  void causeIsNeverNullAndKnowsNoMachine() {
-    assertEquals(
-        "java.lang.IllegalArgumentException", BlockStudy.cause(new IllegalArgumentException()));
-    assertEquals(
-        "heap must hold a flow: needed=100 MiB (give java -Xmx128m)",
-        BlockStudy.cause(new HeapException("a flow", 100 << 20, 50 << 20)));
-  }
-
-  @Test
   void shardsGiveTheTableOfASingleProcess() throws IOException {
     four("whole", "--axis=all", "--outside-value=9");
     for (int shard : new int[] {2, 3}) {
       Cli run = four("parts", "--axis=all", "--outside-value=9", "--shard=" + shard + "/3");
-      assertTrue(run.out().contains("4 of 4 have a row"), run.out());
+      assertTrue(run.out().contains("3 of 3 have a row"), run.out());
     }
     Cli some = Cli.run("survey", "--collect=" + folder.resolve("parts"));
     assertEquals(3, some.code(), some.err());
-    assertTrue(some.err().contains("missing=4 of 12, jobs=0,3,6,9,"), some.err());
-    assertTrue(some.out().contains("8 of 12 have a row"), some.out());
+    assertTrue(some.err().contains("missing=6 of 12, jobs=0,1,2,9,10,11,"), some.err());
+    assertTrue(some.out().contains("6 of 12 have a row"), some.out());
     four("parts", "--axis=all", "--outside-value=9", "--shard=1/3");
     Cli all = Cli.run("survey", "--collect=" + folder.resolve("parts"), "--quiet");
     assertEquals(0, all.code(), all.err());
@@ -515,7 +507,7 @@ class SurveyCommandTest {
         "--outside-value=256 | outside value must be within 0 to 255",
         "--outside-value=1 | outside value must be no pore value",
         "--shard=5/4 | shard must be 1/N to N/N",
-        "--shard=5/5 | shards must be at most as many as jobs",
+        "--shard=5/5 | shards must be at most as many as blocks",
         "--method=sph --tau=1 | --tau must come with --method lbm",
         "--method=sph --sides=mirror | boundaries of particles must be walls",
         "--walls=imb --refine=2 | --refine must come with voxels",

@@ -1,5 +1,6 @@
 package org.hdispatch.porous.darcy;
 
+import java.io.Serializable;
 import java.util.OptionalDouble;
 
 /**
@@ -10,7 +11,8 @@ import java.util.OptionalDouble;
  * @param density density, kg/m³
  * @param pressureGradient pressure drop per length, Pa/m
  */
-public record PhysicalFlow(double viscosity, double density, double pressureGradient) {
+public record PhysicalFlow(double viscosity, double density, double pressureGradient)
+    implements Serializable {
   private static final double LEAST = 1e-30;
   private static final double MOST = 1e30;
 

@@ -1,5 +1,6 @@
 package org.hdispatch.porous.flow;
 
+import java.io.Serializable;
 import java.util.Objects;
 import java.util.OptionalDouble;
 import java.util.OptionalInt;
@@ -36,7 +37,8 @@ public record FlowOptions(
     OptionalInt inletLayers,
     Approach approach,
     double tolerance,
-    long maxSteps) {
+    long maxSteps)
+    implements Serializable {
 
   /** Most layers of fluid at each end. */
   private static final int MOST = 10_000;
@@ -94,6 +96,51 @@ public record FlowOptions(
     if (maxSteps < 1) {
       throw new IllegalArgumentException("steps must number at least 1: steps=" + maxSteps);
     }
+  }
+
+  /** What a stream holds in place of the options, as it takes no number that may be missing. */
+  private record Written(
+      Axis axis,
+      VelocitySet velocitySet,
+      Storage storage,
+      CollisionModel collision,
+      Double relaxationTime,
+      Sides sides,
+      Inlet inlet,
+      Integer inletLayers,
+      Approach approach,
+      double tolerance,
+      long maxSteps)
+      implements Serializable {
+    private Object readResolve() {
+      return new FlowOptions(
+          axis,
+          velocitySet,
+          storage,
+          collision,
+          relaxationTime == null ? OptionalDouble.empty() : OptionalDouble.of(relaxationTime),
+          sides,
+          inlet,
+          inletLayers == null ? OptionalInt.empty() : OptionalInt.of(inletLayers),
+          approach,
+          tolerance,
+          maxSteps);
+    }
+  }
+
+  private Object writeReplace() {
+    return new Written(
+        axis,
+        velocitySet,
+        storage,
+        collision,
+        relaxationTime.isPresent() ? (Double) relaxationTime.getAsDouble() : null,
+        sides,
+        inlet,
+        inletLayers.isPresent() ? (Integer) inletLayers.getAsInt() : null,
+        approach,
+        tolerance,
+        maxSteps);
   }
 
   /** Settings on their way to a changed copy. */

@@ -1,5 +1,7 @@
 package org.hdispatch.porous.flow;
 
+import java.io.Serializable;
+
 /**
  * How a steady flow is computed by smoothed particle hydrodynamics, beside {@link FlowOptions}: one
  * particle a voxel, at first at its centre.
@@ -7,7 +9,7 @@ package org.hdispatch.porous.flow;
  * @param smoothingLength h of the quintic spline, voxels
  * @param wallFactor beta_max of the velocity in walls
  */
-public record SphOptions(double smoothingLength, double wallFactor) {
+public record SphOptions(double smoothingLength, double wallFactor) implements Serializable {
   /** h = 1 voxel and beta_max = 4. */
   public static final SphOptions DEFAULT = new SphOptions(1, 4);
 

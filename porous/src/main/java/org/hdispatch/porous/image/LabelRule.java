@@ -1,5 +1,6 @@
 package org.hdispatch.porous.image;
 
+import java.io.Serializable;
 import java.util.Set;
 import java.util.TreeSet;
 
@@ -11,7 +12,7 @@ import java.util.TreeSet;
  *
  * @param poreLabels the labels that are pore, each 0..255
  */
-public record LabelRule(Set<Integer> poreLabels) {
+public record LabelRule(Set<Integer> poreLabels) implements Serializable {
 
   /**
    * A rule.

@@ -1,5 +1,7 @@
 package org.hdispatch.porous.image;
 
+import java.io.Serializable;
+
 /**
  * A box of voxels inside an image: its first voxel and its size.
  *
@@ -12,7 +14,7 @@ package org.hdispatch.porous.image;
  * @param ny voxels along y, at least 1
  * @param nz voxels along z, at least 1
  */
-public record VoxelBox(int x0, int y0, int z0, int nx, int ny, int nz) {
+public record VoxelBox(int x0, int y0, int z0, int nx, int ny, int nz) implements Serializable {
 
   /**
    * A box.

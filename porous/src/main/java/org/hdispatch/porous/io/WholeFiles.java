@@ -1,7 +1,9 @@
 package org.hdispatch.porous.io;
 
+import java.io.BufferedWriter;
 import java.io.IOException;
 import java.nio.ByteBuffer;
+import java.nio.channels.Channels;
 import java.nio.channels.FileChannel;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.AtomicMoveNotSupportedException;
@@ -85,6 +87,37 @@ public final class WholeFiles {
           while (bytes.hasRemaining()) {
             channel.write(bytes);
           }
+        });
+  }
+
+  /** What is written into a text, piece by piece. */
+  @FunctionalInterface
+  public interface Text {
+    /**
+     * Writes everything.
+     *
+     * @param out an empty text
+     * @throws IOException if it cannot be written
+     */
+    void writeTo(Appendable out) throws IOException;
+  }
+
+  /**
+   * Writes a text as UTF-8, piece by piece, over an existing file if need be.
+   *
+   * @param target where it goes; its folder must exist
+   * @param text what to write
+   * @throws ImageFileException if it cannot be written; nothing is left behind, and an existing
+   *     target is as it was
+   */
+  public static void writeLines(Path target, Text text) throws ImageFileException {
+    write(
+        target,
+        channel -> {
+          BufferedWriter out =
+              new BufferedWriter(Channels.newWriter(channel, StandardCharsets.UTF_8));
+          text.writeTo(out);
+          out.flush(); // the channel is forced to the disk, and then closed, by the caller
         });
   }
 

@@ -1,7 +1,10 @@
 package org.hdispatch.porous.survey;
 
+import java.io.BufferedInputStream;
+import java.io.ByteArrayOutputStream;
 import java.io.FileOutputStream;
 import java.io.IOException;
+import java.io.InputStream;
 import java.nio.channels.FileChannel;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
@@ -81,22 +84,34 @@ final class RowFile {
 
   /** Takes in all whole lines; returns how many bytes they have. */
   private long load() throws IOException {
-    byte[] bytes = Files.exists(file) ? Files.readAllBytes(file) : new byte[0];
-    int whole = bytes.length;
-    while (whole > 0 && bytes[whole - 1] != '\n') {
-      whole--;
+    if (!Files.exists(file)) {
+      return 0;
     }
-    List<String> all = new String(bytes, 0, whole, StandardCharsets.UTF_8).lines().toList();
-    for (int n = 0; n < all.size(); n++) {
-      if (n > 0) {
-        keep(all.get(n), n + 1);
-      } else if (!header().equals(all.get(0) + "\n")) {
-        throw new ImageFileException(
-            "table must have the columns of this version (move it away to begin anew): file="
-                + file);
+    long whole = 0;
+    int at = 0;
+    try (InputStream in = new BufferedInputStream(Files.newInputStream(file))) {
+      ByteArrayOutputStream line = new ByteArrayOutputStream();
+      for (int next = in.read(); next >= 0; next = in.read()) {
+        if (next != '\n') {
+          line.write(next);
+          continue;
+        }
+        whole += line.size() + 1;
+        at++;
+        take(line.toString(StandardCharsets.UTF_8), at);
+        line.reset();
       }
     }
     return whole;
+  }
+
+  private void take(String line, int at) throws ImageFileException {
+    if (at > 1) {
+      keep(line, at);
+    } else if (!header().equals(line + "\n")) {
+      throw new ImageFileException(
+          "table must have the columns of this version (move it away to begin anew): file=" + file);
+    }
   }
 
   private void keep(String line, int at) throws ImageFileException {
@@ -125,11 +140,6 @@ final class RowFile {
   /** The numbers of the jobs, and their lines, in rising order. */
   Map<Integer, String> lines() {
     return lines;
-  }
-
-  /** The values of all jobs, in rising order of the jobs. */
-  List<List<String>> rows() {
-    return lines.values().stream().map(CsvLine::parse).toList();
   }
 
   /**
@@ -162,8 +172,13 @@ final class RowFile {
 
   /** Writes the file anew: each job once, in rising order. It is whole or as before. */
   void sort() throws ImageFileException {
-    StringBuilder text = new StringBuilder(header());
-    lines.values().forEach(line -> text.append(line).append('\n'));
-    WholeFiles.write(file, text.toString());
+    WholeFiles.writeLines(
+        file,
+        out -> {
+          out.append(header());
+          for (String line : lines.values()) {
+            out.append(line).append('\n');
+          }
+        });
   }
 }

@@ -4,8 +4,9 @@ import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 
 /**
- * The part of a survey that one process does: every {@code count}-th job. The files of a shard bear
- * its name, so that all write side by side into one folder.
+ * The part of a survey that one process does: every {@code count}-th block of its plan, along all
+ * axes, so that no block is read twice. The files of a shard bear its name, so that all write side
+ * by side into one folder.
  *
  * @param number which one, from 1
  * @param count how many there are
@@ -40,14 +41,18 @@ public record Shard(int number, int count) {
     return new Shard(Integer.parseInt(given.group(1)), Integer.parseInt(given.group(2)));
   }
 
-  /** Whether a job belongs to this shard. */
-  public boolean has(int job) {
-    return job % count == number - 1;
+  /**
+   * Whether a block belongs to this shard.
+   *
+   * @param block its place in the plan, from 0
+   */
+  public boolean has(int block) {
+    return block % count == number - 1;
   }
 
-  /** How many of so many jobs belong to this shard. */
-  public int share(int jobs) {
-    return (jobs - number + count) / count;
+  /** How many of so many blocks belong to this shard. */
+  public int share(int blocks) {
+    return (int) (((long) blocks - number + count) / count);
   }
 
   /** What its files are called: {@code survey}, or {@code survey-i-of-N}. */

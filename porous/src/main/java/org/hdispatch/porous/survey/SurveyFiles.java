@@ -7,9 +7,11 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
 import java.util.TreeMap;
+import java.util.function.Consumer;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 import java.util.stream.Stream;
+import org.hdispatch.porous.io.CsvLine;
 import org.hdispatch.porous.io.ImageFileException;
 
 /**
@@ -51,9 +53,7 @@ public final class SurveyFiles implements AutoCloseable {
     this.held = held;
     this.table = table;
     this.times = times;
-    for (SurveyRow row : rows(table, folder.resolve(shard.fileName() + ".csv"))) {
-      status.put(row.job().number(), row.status());
-    }
+    each(table, file(), row -> status.put(row.job().number(), row.status()));
   }
 
   /**
@@ -79,8 +79,8 @@ public final class SurveyFiles implements AutoCloseable {
         requireSame(settings, known.get(), file);
       }
       for (Path other : settingsFiles(folder)) {
-        if (!other.equals(file)) { // to close it would let go of it
-          Optional<SurveySettings> there = SurveySettings.parse(text(other));
+        if (!other.equals(file)) {
+          Optional<SurveySettings> there = SettingsFile.readOther(other);
           if (there.isPresent()) {
             requireSame(settings, there.get(), other);
           }
@@ -132,14 +132,6 @@ public final class SurveyFiles implements AutoCloseable {
     }
   }
 
-  private static String text(Path file) throws ImageFileException {
-    try {
-      return Files.readString(file);
-    } catch (IOException e) {
-      throw new ImageFileException("settings must be readable: file=" + file + ", cause=" + e, e);
-    }
-  }
-
   /**
    * Joins the rows of all shards in a folder, as far as they are there, into one table and opens
    * it.
@@ -160,7 +152,7 @@ public final class SurveyFiles implements AutoCloseable {
     for (Path file : settingsFiles(folder)) {
       Matcher name = SETTINGS.matcher(file.getFileName().toString());
       if (name.matches() && name.group(1) != null) {
-        Optional<SurveySettings> known = SurveySettings.parse(text(file));
+        Optional<SurveySettings> known = SettingsFile.readOther(file);
         if (known.isPresent()) {
           found.add(new Shard(Integer.parseInt(name.group(2)), Integer.parseInt(name.group(3))));
           settings = settings.or(() -> known);
@@ -192,27 +184,35 @@ public final class SurveyFiles implements AutoCloseable {
   private void join(Shard part) throws ImageFileException {
     Path file = folder.resolve(part.fileName() + ".csv");
     RowFile more = RowFile.read(file, table.columns());
-    for (SurveyRow row : rows(more, file)) {
-      int job = row.job().number();
-      String line = more.lines().get(job);
-      if (isDone(job)) {
-        if (row.status() != SurveyStatus.FAILED && !line.equals(table.lines().get(job))) {
-          throw new ImageFileException(
-              "rows of one job must be the same: job=" + job + ", file=" + file);
-        }
-      } else {
-        table.take(job, line);
-        status.put(job, row.status());
-      }
+    List<Integer> unlike = new ArrayList<>();
+    each(
+        more,
+        file,
+        row -> {
+          int job = row.job().number();
+          String line = more.lines().get(job);
+          if (!isDone(job)) {
+            table.take(job, line);
+            status.put(job, row.status());
+          } else if (row.status() != SurveyStatus.FAILED && !line.equals(table.lines().get(job))) {
+            unlike.add(job);
+          }
+        });
+    if (!unlike.isEmpty()) {
+      throw new ImageFileException(
+          "rows of one job must be the same: job=" + unlike.get(0) + ", file=" + file);
     }
     RowFile.read(folder.resolve(part.fileName() + "-times.csv"), times.columns())
         .lines()
         .forEach(times::take);
   }
 
-  private static List<SurveyRow> rows(RowFile table, Path file) throws ImageFileException {
+  private static void each(RowFile table, Path file, Consumer<SurveyRow> listener)
+      throws ImageFileException {
     try {
-      return table.rows().stream().map(row -> SurveyRow.parse(table.columns(), row)).toList();
+      for (String line : table.lines().values()) {
+        listener.accept(SurveyRow.parse(table.columns(), CsvLine.parse(line)));
+      }
     } catch (IllegalArgumentException e) {
       throw new ImageFileException(
           "rows must be those of a survey: file=" + file + ", cause=" + e.getMessage(), e);
@@ -233,16 +233,19 @@ public final class SurveyFiles implements AutoCloseable {
   public List<Integer> missing() {
     List<Integer> missing = new ArrayList<>();
     for (int job = 0; job < settings.jobs(); job++) {
-      if (shard.has(job) && !status.containsKey(job)) {
+      if (!status.containsKey(job)) {
         missing.add(job);
       }
     }
     return missing;
   }
 
-  /** All rows, in the order of their jobs. */
-  public List<SurveyRow> rows() throws ImageFileException {
-    return rows(table, file());
+  /**
+   * Tells all rows, in the order of their jobs, one at a time: a million of them need no more heap
+   * than their lines.
+   */
+  public void forEachRow(Consumer<SurveyRow> listener) throws ImageFileException {
+    each(table, file(), listener);
   }
 
   /** The table of the rows. */

@@ -1,5 +1,6 @@
 package org.hdispatch.porous.survey;
 
+import java.io.Serializable;
 import org.hdispatch.porous.image.Axis;
 import org.hdispatch.porous.image.VoxelBox;
 
@@ -11,4 +12,4 @@ import org.hdispatch.porous.image.VoxelBox;
  * @param box the block, in voxels of the image
  * @param axis direction of the flow
  */
-public record SurveyJob(int number, long block, VoxelBox box, Axis axis) {}
+public record SurveyJob(int number, long block, VoxelBox box, Axis axis) implements Serializable {}

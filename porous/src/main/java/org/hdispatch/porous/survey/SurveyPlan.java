@@ -125,6 +125,33 @@ public record SurveyPlan(List<Block> blocks, List<Axis> axes) {
     return blocks.size() * axes.size();
   }
 
+  /** Number of jobs of a shard. */
+  public int jobs(Shard shard) {
+    return shard.share(blocks.size()) * axes.size();
+  }
+
+  /** Whether a job belongs to a shard. */
+  public boolean has(Shard shard, int job) {
+    return shard.has(job / axes.size());
+  }
+
+  /** The numbers of the blocks in their order, those that follow each other as a range: 0,4,7-9. */
+  public String numbers() {
+    List<String> words = new ArrayList<>();
+    for (int from = 0, to; from < blocks.size(); from = to) {
+      to = from + 1;
+      while (to < blocks.size() && number(to) == number(to - 1) + 1) {
+        to++;
+      }
+      words.add(to - from == 1 ? "" + number(from) : number(from) + "-" + number(to - 1));
+    }
+    return String.join(",", words);
+  }
+
+  private long number(int place) {
+    return blocks.get(place).number();
+  }
+
   /**
    * A job.
    *

@@ -1,5 +1,6 @@
 package org.hdispatch.porous.survey;
 
+import java.io.Serializable;
 import java.util.ArrayList;
 import java.util.LinkedHashMap;
 import java.util.List;
@@ -19,7 +20,8 @@ import org.hdispatch.porous.image.VoxelBox;
  * @param figures all else: column, value; an empty value is unknown
  */
 public record SurveyRow(
-    SurveyJob job, SurveyStatus status, String cause, Map<String, String> figures) {
+    SurveyJob job, SurveyStatus status, String cause, Map<String, String> figures)
+    implements Serializable {
   /** The columns that every table begins with; sizes are in voxels of the image. */
   private static final List<String> FIRST =
       List.of(

@@ -9,6 +9,7 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.LinkedHashMap;
 import java.util.List;
@@ -54,8 +55,14 @@ class SurveyFilesTest {
         }
       }
       files.sort();
-      assertEquals(List.of(), files.missing());
+      assertEquals(shard == Shard.WHOLE, files.missing().isEmpty());
     }
+  }
+
+  private static List<SurveyRow> rows(SurveyFiles files) throws ImageFileException {
+    List<SurveyRow> rows = new ArrayList<>();
+    files.forEachRow(rows::add);
+    return rows;
   }
 
   private byte[] table(String name) throws IOException {
@@ -69,7 +76,7 @@ class SurveyFilesTest {
       files.append(row(0, SurveyStatus.OUTSIDE), List.of("0", "2"));
     }
     try (SurveyFiles files = open(Shard.WHOLE)) {
-      List<SurveyRow> rows = files.rows();
+      List<SurveyRow> rows = rows(files);
       assertEquals(List.of(row(0, SurveyStatus.OUTSIDE), row(1, SurveyStatus.FAILED)), rows);
       assertEquals("it must \"work\", or not", rows.get(1).cause());
       assertEquals(1.0 / 3, rows.get(0).number("porosity").getAsDouble());
@@ -194,7 +201,7 @@ class SurveyFilesTest {
     SurveyFiles.collect(folder, FIGURES, TIMES).close();
     goOn(Shard.parse("1/2"));
     try (SurveyFiles joined = SurveyFiles.collect(folder, FIGURES, TIMES)) {
-      assertEquals(SurveyStatus.DONE, joined.rows().get(0).status());
+      assertEquals(SurveyStatus.DONE, rows(joined).get(0).status());
       assertEquals(List.of(1, 3), joined.missing());
     }
   }

@@ -99,20 +99,34 @@ class SurveyPlanPropertyTest {
   }
 
   @Property(tries = 300, seed = "8")
-  void everyJobBelongsToOneShard(
-      @ForAll @IntRange(min = 1, max = 40) int jobs,
+  void everyJobBelongsToOneShardWithAllOfItsBlock(
+      @ForAll @IntRange(min = 1, max = 40) int blocks,
+      @ForAll @IntRange(min = 1, max = 3) int axes,
       @ForAll @IntRange(min = 1, max = 9) int count) {
+    BlockGrid grid =
+        new BlockGrid(VoxelBox.whole(blocks, 1, 1), new Extent(1, 1, 1), new Extent(1, 1, 1));
+    SurveyPlan plan = SurveyPlan.all(grid, ALL.subList(0, axes));
     int all = 0;
     for (int number = 1; number <= count; number++) {
       Shard shard = Shard.parse(number + "/" + count);
       int has = 0;
-      for (int job = 0; job < jobs; job++) {
-        has += shard.has(job) ? 1 : 0;
+      for (int job = 0; job < plan.jobs(); job++) {
+        has += plan.has(shard, job) ? 1 : 0;
+        assertEquals(plan.has(shard, job), plan.has(shard, job / axes * axes));
       }
-      assertEquals(has, shard.share(jobs));
+      assertEquals(has, plan.jobs(shard));
       all += has;
     }
-    assertEquals(jobs, all);
+    assertEquals(plan.jobs(), all);
+  }
+
+  @Example
+  void numbersThatFollowEachOtherAreARange() {
+    BlockGrid grid =
+        new BlockGrid(VoxelBox.whole(12, 1, 1), new Extent(1, 1, 1), new Extent(1, 1, 1));
+    assertEquals("0-11", SurveyPlan.all(grid, ALL).numbers());
+    assertEquals(
+        "0,4,7-9,2-3", SurveyPlan.of(grid, List.of(0L, 4L, 7L, 8L, 9L, 2L, 3L), ALL).numbers());
   }
 
   @Example

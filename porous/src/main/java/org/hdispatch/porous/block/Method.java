@@ -1,7 +1,7 @@
-package org.hdispatch.app;
+package org.hdispatch.porous.block;
 
 /** How a rock's flow is computed. */
-enum Method {
+public enum Method {
   /** The lattice Boltzmann method, one node a voxel. */
   LBM,
   /** Smoothed particle hydrodynamics, one particle a voxel. */

@@ -1,9 +1,9 @@
-package org.hdispatch.app;
+package org.hdispatch.porous.block;
 
 import java.util.Locale;
 
 /** The heap is too small; the message says what is needed and which -Xmx gives it. */
-final class HeapException extends RuntimeException {
+public final class HeapException extends RuntimeException {
   private static final long serialVersionUID = 1L;
 
   /** What -Xmx gives beyond the need, as collectors leave parts of regions empty. */
@@ -14,7 +14,14 @@ final class HeapException extends RuntimeException {
 
   private final String need;
 
-  HeapException(String what, double neededBytes, long heapBytes) {
+  /**
+   * Something that does not fit.
+   *
+   * @param what what it is, as the error calls it
+   * @param neededBytes heap that it takes
+   * @param heapBytes the most heap there is
+   */
+  public HeapException(String what, double neededBytes, long heapBytes) {
     super(
         String.format(
             Locale.ROOT,
@@ -34,7 +41,7 @@ final class HeapException extends RuntimeException {
   }
 
   /** The message without the heap of this machine. */
-  String need() {
+  public String need() {
     return need;
   }
 

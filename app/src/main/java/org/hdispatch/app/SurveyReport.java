@@ -1,0 +1,111 @@
+package org.hdispatch.app;
+
+import java.io.IOException;
+import java.io.UncheckedIOException;
+import org.hdispatch.app.text.Table;
+import org.hdispatch.porous.block.BlockColumns;
+import org.hdispatch.porous.io.CsvLine;
+import org.hdispatch.porous.io.ImageFileException;
+import org.hdispatch.porous.io.WholeFiles;
+import org.hdispatch.porous.survey.SurveyFiles;
+import org.hdispatch.porous.survey.SurveyRow;
+import org.hdispatch.porous.survey.SurveyStatus;
+
+/**
+ * Tells what a survey found. Rows are read and told one at a time, as there may be a million.
+ *
+ * @param files the rows
+ * @param jobs how many there should be
+ * @param output in which form
+ * @param console where to
+ */
+record SurveyReport(SurveyFiles files, int jobs, OutputOptions output, CommandConsole console) {
+  /** What takes a row, which may fail. */
+  private interface Taker {
+    void take(SurveyRow row) throws IOException;
+  }
+
+  /** Writes the file for programs, prints the summary, and returns the exit code. */
+  int tell() throws ImageFileException {
+    SurveySummary summary = new SurveySummary(jobs);
+    files.forEachRow(summary::add);
+    WholeFiles.writeLines(files.jsonFile(), out -> json(summary, out));
+    print(summary);
+    int failed = summary.count(SurveyStatus.FAILED);
+    int unsteady = summary.count(SurveyStatus.NOT_CONVERGED);
+    if (failed + unsteady == 0) {
+      return ExitCode.DONE.code();
+    }
+    console
+        .err()
+        .println(
+            "hdispatch: every block must have a converged k (its row says why not): failed="
+                + failed
+                + ", not converged="
+                + unsteady
+                + ", file="
+                + files.file());
+    return ExitCode.NOT_CONVERGED.code();
+  }
+
+  private void print(SurveySummary summary) throws ImageFileException {
+    try {
+      switch (output.form()) {
+        case JSON -> json(summary, console.out());
+        case CSV -> csv(console.out());
+        case TEXT -> console.out().print(text(summary));
+      }
+    } catch (IOException e) {
+      throw e instanceof ImageFileException known
+          ? known
+          : new ImageFileException("standard output must be writable", e);
+    }
+    console.print(""); // which looks whether all could be printed
+  }
+
+  private String text(SurveySummary summary) {
+    Table table = summary.table();
+    table
+        .line("rows", files.file().toString())
+        .line("", files.jsonFile().toString())
+        .line("times", files.timesFile().toString())
+        .line("settings", files.settingsFile().toString());
+    return table.toString();
+  }
+
+  /** A JSON object of what sums up, {@code summary}, and the {@code rows} themselves. */
+  private void json(SurveySummary summary, Appendable out) throws IOException {
+    out.append("{\n\"summary\": ").append(summary.row().toJson().stripTrailing());
+    out.append(",\n\"rows\": [");
+    String[] before = {"\n"};
+    each(
+        row -> {
+          out.append(before[0]).append(SurveyColumns.flat(row).toJson().stripTrailing());
+          before[0] = ",\n";
+        });
+    out.append("\n]\n}\n");
+  }
+
+  private void csv(Appendable out) throws IOException {
+    out.append(CsvLine.format(SurveyRow.columns(BlockColumns.FIGURES))).append('\n');
+    each(
+        row ->
+            out.append(CsvLine.format(row.format(SurveyRow.columns(BlockColumns.FIGURES))))
+                .append('\n'));
+  }
+
+  private void each(Taker taker) throws IOException {
+    try {
+      files.forEachRow(
+          row -> {
+            try {
+              taker.take(row);
+            } catch (IOException e) {
+              throw new UncheckedIOException(e);
+            }
+          });
+    } catch (UncheckedIOException e) {
+      throw e.getCause();
+    }
+  }
+}
