@@ -74,16 +74,35 @@ final class BodyForce {
     if (cell.ground == null || cell.ground[node] == 0) {
       return 0;
     }
+    if (problem.mobilities() > 1) {
+      return endsByAxis();
+    }
     int sides = 0;
     double outwards = 0;
     for (Side side : Side.ALL) {
-      int axis = side.axis();
-      int last = side.outwards() < 0 ? 0 : problem.extent(axis) - 1;
-      if (problem.isFixed(side) && here[axis] == last) {
+      if (isFixedBeside(side)) {
         sides++;
-        outwards += side.outwards() * force[axis];
+        outwards += side.outwards() * force[side.axis()];
       }
     }
     return cell.ground[node] / (2 * sides) * outwards;
+  }
+
+  /** The same where each axis has a mobility of its own. */
+  private double endsByAxis() {
+    double flux = 0;
+    for (Side side : Side.ALL) {
+      if (isFixedBeside(side)) {
+        int axis = side.axis();
+        double mobility = problem.mobility(axis, here[0], here[1], here[2]);
+        flux += mobility * side.outwards() * force[axis];
+      }
+    }
+    return flux;
+  }
+
+  private boolean isFixedBeside(Side side) {
+    int last = side.outwards() < 0 ? 0 : problem.extent(side.axis()) - 1;
+    return problem.isFixed(side) && here[side.axis()] == last;
   }
 }

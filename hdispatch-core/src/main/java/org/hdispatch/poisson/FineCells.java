@@ -20,21 +20,23 @@ final class FineCells {
   private static final int[] STRIDES = {1, EDGE, EDGE * EDGE};
 
   private final PoissonProblem problem;
+  private final int mobilities; // of a node
   private final CellMap<Box> boxes;
   private final CellMap<GraphCell> cells;
 
   private FineCells(Dispatcher dispatcher, PoissonProblem problem) {
     this.problem = problem;
+    mobilities = problem.mobilities();
     int[] extents = new int[3];
     for (int axis = 0; axis < 3; axis++) {
       extents[axis] = (problem.extent(axis) + EDGE - 1) / EDGE;
     }
     CellGrid grid = CellGrid.of(extents[0], extents[1], extents[2], Ends.OPEN);
     boxes = CellMap.fixed(grid.keys(), KeyOrder.MORTON, Box::new);
-    Passes.once(dispatcher, boxes, Scratch::new, this::look);
+    Passes.once(dispatcher, boxes, () -> new Scratch(mobilities), this::look);
     long[] keys = Arrays.stream(grid.keys()).filter(key -> boxes.get(key).cell != null).toArray();
     cells = CellMap.fixed(keys, KeyOrder.MORTON, key -> boxes.get(key).cell);
-    Passes.once(dispatcher, cells, Scratch::new, this::link);
+    Passes.once(dispatcher, cells, () -> new Scratch(mobilities), this::link);
   }
 
   static CellMap<GraphCell> of(Dispatcher dispatcher, PoissonProblem problem) {
@@ -45,7 +47,7 @@ final class FineCells {
   private static final class Box {
     private final long key;
     private GraphCell cell; // null without active nodes
-    private double[] mobility; // of the nodes of the cell
+    private double[] mobility; // of the nodes of the cell, those of one node side by side
 
     Box(long key) {
       this.key = key;
@@ -54,10 +56,14 @@ final class FineCells {
 
   /** What a worker needs for one box. */
   private static final class Scratch {
-    final double[] mobility = new double[BOX]; // by node
+    final double[] mobility; // by node
     final char[] position = new char[BOX]; // by node
     final char[] number = new char[BOX]; // by position; NONE: no active node
     final CellLinker linker = new CellLinker();
+
+    Scratch(int mobilities) {
+      mobility = new double[mobilities * BOX];
+    }
   }
 
   /** Finds the active nodes of a box, in increasing position, and makes its cell. */
@@ -69,16 +75,20 @@ final class FineCells {
     for (int z = 0; z < Math.min(EDGE, problem.extent(2) - z0); z++) {
       for (int y = 0; y < Math.min(EDGE, problem.extent(1) - y0); y++) {
         for (int x = 0; x < Math.min(EDGE, problem.extent(0) - x0); x++) {
-          double mobility = problem.mobility(x0 + x, y0 + y, z0 + z);
-          if (mobility > 0) {
-            scratch.mobility[nodes] = mobility;
+          boolean active = false;
+          for (int which = 0; which < mobilities; which++) {
+            double mobility = problem.mobility(which, x0 + x, y0 + y, z0 + z);
+            scratch.mobility[mobilities * nodes + which] = mobility;
+            active |= mobility > 0;
+          }
+          if (active) {
             scratch.position[nodes++] = (char) (x + EDGE * (y + EDGE * z));
           }
         }
       }
     }
     if (nodes > 0) {
-      box.mobility = Arrays.copyOf(scratch.mobility, nodes);
+      box.mobility = Arrays.copyOf(scratch.mobility, mobilities * nodes);
       box.cell = new GraphCell(box.key, Arrays.copyOf(scratch.position, nodes));
       box.cell.source = new double[nodes];
     }
@@ -103,9 +113,9 @@ final class FineCells {
 
   /** Links one node: a method of its own, for it to be compiled soon. */
   private void linkNode(GraphCell cell, int node, int[] at, double[] mobility, Scratch scratch) {
-    double own = mobility[node];
     for (Side side : Side.ALL) {
       int axis = side.axis();
+      double own = along(axis, mobility, node);
       int here = at[axis];
       int beyond = here + side.outwards();
       if (beyond < 0 || beyond == problem.extent(axis) || leaves(here, side)) {
@@ -115,11 +125,16 @@ final class FineCells {
       }
       int other = scratch.number[cell.position[node] + side.outwards() * STRIDES[axis]];
       if (other != GraphCell.NONE) {
-        scratch.linker.link(cell, other, problem.link(own, mobility[other]));
+        scratch.linker.link(cell, other, problem.link(own, along(axis, mobility, other)));
       } else {
         wall(cell, node, own, scratch.linker);
       }
     }
+  }
+
+  /** Mobility of a node along an axis. */
+  private double along(int axis, double[] mobility, int node) {
+    return mobility[mobilities == 1 ? node : mobilities * node + axis];
   }
 
   /** Whether the neighbour on a side lies in another box. */
@@ -136,7 +151,7 @@ final class FineCells {
       Box box = boxes.get(CellKey.of(at[0] / EDGE, at[1] / EDGE, at[2] / EDGE));
       int other = box.cell == null ? -1 : node(box.cell, at[0], at[1], at[2]);
       if (other >= 0) {
-        linker.link(box.cell, other, problem.link(own, box.mobility[other]));
+        linker.link(box.cell, other, problem.link(own, along(axis, box.mobility, other)));
       } else {
         wall(cell, node, own, linker);
       }
@@ -154,6 +169,9 @@ final class FineCells {
 
   /** A link over half a spacing to a fixed value. */
   private static void fix(GraphCell cell, int node, double own, double value, CellLinker linker) {
+    if (own == 0) {
+      return;
+    }
     linker.ground(2 * own);
     if (cell.fixedSource == null) {
       cell.fixedSource = new double[cell.nodes];

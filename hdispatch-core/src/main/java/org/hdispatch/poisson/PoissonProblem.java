@@ -15,7 +15,8 @@ import org.hdispatch.cell.Ends;
  * node that is not active, nor an open end of the box. At a {@linkplain Builder#fixed fixed side}
  * the value of p is given on the outer face of the last nodes, half a spacing away from them: the
  * link has mobility 2 K_m (twice the node's, for half the way). With {@linkplain Builder#fixedWalls
- * fixed walls} so it is at the faces to nodes that are not active.
+ * fixed walls} so it is at the faces to nodes that are not active. Mobilities may differ
+ * {@linkplain Builder#mobility(Mobility, Mobility, Mobility) from axis to axis}.
  *
  * <p>Units: any; those of b are those of mobility times p.
  */
@@ -24,7 +25,7 @@ public final class PoissonProblem {
   private final int ny;
   private final int nz;
   private final Ends[] ends;
-  private final Mobility mobility;
+  private final Mobility[] mobility; // one for all axes, or one for each
   private final LinkMean mean;
   private final Map<Side, Double> fixed;
   private final double walls; // NaN: closed to flow
@@ -34,7 +35,7 @@ public final class PoissonProblem {
     ny = builder.ny;
     nz = builder.nz;
     ends = builder.ends.clone();
-    mobility = builder.mobility;
+    mobility = builder.mobility.clone();
     mean = builder.mean;
     fixed = new EnumMap<>(builder.fixed);
     walls = builder.walls;
@@ -57,13 +58,19 @@ public final class PoissonProblem {
     return ends[axis];
   }
 
+  /** Mobilities of a node: 1, or 3 if each axis has its own. */
+  int mobilities() {
+    return mobility.length;
+  }
+
   /**
-   * Mobility of a node, 0 if it is not active.
+   * A mobility of a node; all of them are 0 if it is not active.
    *
+   * @param which 0 to {@link #mobilities()} - 1
    * @throws IllegalArgumentException if it is negative, infinite or not a number
    */
-  double mobility(int x, int y, int z) {
-    double value = mobility.at(x, y, z);
+  double mobility(int which, int x, int y, int z) {
+    double value = mobility[which].at(x, y, z);
     if (!(value >= 0 && value <= Double.MAX_VALUE)) {
       throw Refusal.value("mobility must be finite and not negative", "mobility", value, x, y, z);
     }
@@ -71,11 +78,14 @@ public final class PoissonProblem {
   }
 
   /**
-   * Mobility of the link of two nodes.
+   * Mobility of the link of two nodes; 0 if one of them has none along it.
    *
    * @throws IllegalArgumentException if it is negative, infinite or not a number
    */
   double link(double one, double other) {
+    if (one == 0 || other == 0) {
+      return 0;
+    }
     double value = mean.of(one, other);
     if (!(value >= 0 && value <= Double.MAX_VALUE)) {
       throw Refusal.link(value, one, other);
@@ -108,7 +118,7 @@ public final class PoissonProblem {
     private final int nz;
     private final Ends[] ends = {Ends.OPEN, Ends.OPEN, Ends.OPEN};
     private final Map<Side, Double> fixed = new EnumMap<>(Side.class);
-    private Mobility mobility = (x, y, z) -> 1;
+    private Mobility[] mobility = {(x, y, z) -> 1};
     private LinkMean mean = LinkMean.HARMONIC;
     private double walls = Double.NaN;
 
@@ -136,7 +146,23 @@ public final class PoissonProblem {
 
     /** Sets the mobility of the nodes, and with it which are active. Asked when cells are made. */
     public Builder mobility(Mobility ofNodes) {
-      mobility = Objects.requireNonNull(ofNodes, "mobility");
+      mobility = new Mobility[] {Objects.requireNonNull(ofNodes, "mobility")};
+      return this;
+    }
+
+    /**
+     * Sets the mobility of the nodes along each axis, as of a diagonal tensor: the links across x
+     * faces follow from those along x, and so on. A node is active if one of its mobilities is
+     * positive; where two nodes meet along an axis and one has none there, nothing flows. Asked
+     * when cells are made and, at fixed sides, when a force is added.
+     */
+    public Builder mobility(Mobility alongX, Mobility alongY, Mobility alongZ) {
+      mobility =
+          new Mobility[] {
+            Objects.requireNonNull(alongX, "alongX"),
+            Objects.requireNonNull(alongY, "alongY"),
+            Objects.requireNonNull(alongZ, "alongZ")
+          };
       return this;
     }
 
