@@ -9,8 +9,9 @@ import org.hdispatch.lbm.KernelForm;
 
 /**
  * What the kernels have in common: whole vectors of nodes go to loops written out for a lattice and
- * an equilibrium, the nodes left over at the ends of rows to a kernel that does them one by one.
- * (Single nodes within the same method make C2 box the vectors: forty times slower.)
+ * an equilibrium, the nodes left over at the ends of rows to a kernel that does them one by one,
+ * and so do nearly all until those loops are compiled ({@link Warmth}). (Single nodes within the
+ * same method make C2 box the vectors: forty times slower.)
  */
 abstract class VectorKernel implements CollisionKernel {
   /** The longest vectors of this processor. */
@@ -26,6 +27,8 @@ abstract class VectorKernel implements CollisionKernel {
   private final int[] restIn;
   private final int[] restOut;
   private final int[] moved;
+  private final Warmth doubles = new Warmth();
+  private final Warmth floats = new Warmth();
 
   VectorKernel(CollisionCoefficients coefficients) {
     rest = KernelForm.SCALAR.kernels().kernel(coefficients);
@@ -37,13 +40,14 @@ abstract class VectorKernel implements CollisionKernel {
   @Override
   public final void collide(
       double[][] in, int[] inAt, double[][] out, int[] outAt, int n, int rows, int pitch) {
-    int whole = DOUBLES.loopBound(n);
+    int whole = doubles.vectors(DOUBLES, n);
     if (whole > 0) {
       if (in == out && inAt == outAt) {
         inPlace(in, inAt, whole, rows, pitch);
       } else {
         apart(in, inAt, out, outAt, whole, rows, pitch);
       }
+      doubles.done();
     }
     if (whole < n) {
       shift(inAt, outAt, whole);
@@ -54,18 +58,26 @@ abstract class VectorKernel implements CollisionKernel {
   @Override
   public final void collide(
       float[][] in, int[] inAt, float[][] out, int[] outAt, int n, int rows, int pitch) {
-    int whole = FLOATS.loopBound(n);
+    int whole = floats.vectors(FLOATS, n);
     if (whole > 0) {
       if (in == out && inAt == outAt) {
         inPlace(in, inAt, whole, rows, pitch);
       } else {
         apart(in, inAt, out, outAt, whole, rows, pitch);
       }
+      floats.done();
     }
     if (whole < n) {
       shift(inAt, outAt, whole);
       rest.collide(in, restIn, out, restOut, n - whole, rows, pitch);
     }
+  }
+
+  /** See {@link Warmth#heat}. */
+  final VectorKernel heat() {
+    doubles.heat();
+    floats.heat();
+    return this;
   }
 
   private void shift(int[] inAt, int[] outAt, int by) {

@@ -11,6 +11,7 @@ import org.hdispatch.dispatch.TimeLoop;
 import org.hdispatch.gc.AllocationMeter;
 import org.hdispatch.lbm.BodyForce;
 import org.hdispatch.lbm.Collision;
+import org.hdispatch.lbm.CollisionCoefficients;
 import org.hdispatch.lbm.CollisionKernel;
 import org.hdispatch.lbm.Equilibrium;
 import org.hdispatch.lbm.KernelForm;
@@ -46,22 +47,32 @@ class VectorKernelsTest {
       for (double tau : new double[] {0.51, 1, 7}) {
         Collision collision =
             new Collision(set, Relaxation.trt(tau), equilibrium, new BodyForce(1e-3, -2e-3, 5e-4));
-        CollisionKernel vectors = new VectorKernels().kernel(collision.coefficients());
-        CollisionKernel reference = KernelForm.REFERENCE.kernels().kernel(collision.coefficients());
-        for (int n : new int[] {1, 7, 8, 9, 16, 17, 41}) {
-          for (boolean inPlace : new boolean[] {true, false}) {
-            String text = set + " " + equilibrium + " tau=" + tau + " n=" + n + " " + inPlace;
-            double[][] expected = collideDouble(reference, set, n, inPlace);
-            double[][] found = collideDouble(vectors, set, n, inPlace);
-            for (int i = 0; i < set.size(); i++) {
-              assertArrayEquals(expected[i], found[i], text);
-            }
-            float[][] expectedSingle = collideSingle(reference, set, n, inPlace);
-            float[][] foundSingle = collideSingle(vectors, set, n, inPlace);
-            for (int i = 0; i < set.size(); i++) {
-              assertArrayEquals(expectedSingle[i], foundSingle[i], text);
-            }
-          }
+        CollisionCoefficients coefficients = collision.coefficients();
+        CollisionKernel reference = KernelForm.REFERENCE.kernels().kernel(coefficients);
+        requireSameBits(set, reference, vectors(coefficients).heat(), equilibrium + ", tau=" + tau);
+        requireSameBits(set, reference, vectors(coefficients), "cold");
+      }
+    }
+  }
+
+  private static VectorKernel vectors(CollisionCoefficients coefficients) {
+    return (VectorKernel) new VectorKernels().kernel(coefficients);
+  }
+
+  private static void requireSameBits(
+      VelocitySet set, CollisionKernel reference, CollisionKernel vectors, String which) {
+    for (int n : new int[] {1, 7, 8, 9, 16, 17, 41}) {
+      for (boolean inPlace : new boolean[] {true, false}) {
+        String text = set + ", " + which + ", n=" + n + " " + inPlace;
+        double[][] expected = collideDouble(reference, set, n, inPlace);
+        double[][] found = collideDouble(vectors, set, n, inPlace);
+        for (int i = 0; i < set.size(); i++) {
+          assertArrayEquals(expected[i], found[i], text);
+        }
+        float[][] expectedSingle = collideSingle(reference, set, n, inPlace);
+        float[][] foundSingle = collideSingle(vectors, set, n, inPlace);
+        for (int i = 0; i < set.size(); i++) {
+          assertArrayEquals(expectedSingle[i], foundSingle[i], text);
         }
       }
     }
@@ -106,7 +117,7 @@ class VectorKernelsTest {
     for (Equilibrium equilibrium : Equilibrium.values()) {
       Collision collision =
           new Collision(set, Relaxation.trt(1), equilibrium, new BodyForce(1e-7, 0, 0));
-      CollisionKernel kernel = new VectorKernels().kernel(collision.coefficients());
+      CollisionKernel kernel = vectors(collision.coefficients()).heat();
       for (boolean inPlace : new boolean[] {true, false}) {
         double[][] in = new double[set.size()][1000];
         double[][] out = inPlace ? in : new double[set.size()][1000];

@@ -1,0 +1,54 @@
+package org.hdispatch.lbm.vector;
+
+import jdk.incubator.vector.VectorSpecies;
+
+/**
+ * How many nodes of a call go to the loop with vectors, which is of use only when C2 has compiled
+ * it: until then every vector is an object, and a node takes hundreds of times longer.
+ *
+ * <p>So at first a call gives a single vector to the loop and the rest to the kernel that takes
+ * nodes one by one, which gives the same bits. That is enough for the JVM to count the calls, and
+ * to compile. When a vector has been fast once, the loop gets all that it can take.
+ */
+final class Warmth {
+  /** A call with a single vector takes longer in objects, and less in registers; ns. */
+  private static final long COLD_NANOS = 2_000;
+
+  /** Calls that C2 wants to have seen, and some more; then only some give the loop a vector. */
+  private static final int COUNTED_CALLS = 4_000;
+
+  private static final int FEWER = 16;
+
+  private int calls;
+  private boolean warm;
+  private long begin;
+
+  /**
+   * Nodes of a call that go to the loop.
+   *
+   * @param n nodes of a row
+   */
+  int vectors(VectorSpecies<?> species, int n) {
+    if (warm) {
+      return species.loopBound(n);
+    }
+    calls++;
+    if (n < species.length() || calls > COUNTED_CALLS && calls % FEWER != 0) {
+      return 0;
+    }
+    begin = System.nanoTime();
+    return species.length();
+  }
+
+  /** From now on the loop gets all that it can take, compiled or not. */
+  void heat() {
+    warm = true;
+  }
+
+  /** The loop has had what it was given. */
+  void done() {
+    if (!warm) {
+      warm = System.nanoTime() - begin < COLD_NANOS;
+    }
+  }
+}
