@@ -47,7 +47,7 @@ abstract class VectorKernel implements CollisionKernel {
       } else {
         apart(in, inAt, out, outAt, whole, rows, pitch);
       }
-      doubles.done();
+      doubles.done(rows);
     }
     if (whole < n) {
       shift(inAt, outAt, whole);
@@ -65,7 +65,7 @@ abstract class VectorKernel implements CollisionKernel {
       } else {
         apart(in, inAt, out, outAt, whole, rows, pitch);
       }
-      floats.done();
+      floats.done(rows);
     }
     if (whole < n) {
       shift(inAt, outAt, whole);

@@ -46,8 +46,8 @@ public record SurveyTable(Path folder, SurveySettings settings, List<SurveyRow> 
       return new SurveyTable(
           folder,
           settings.get(),
-          RowFile.read(file, columns).rows().stream()
-              .map(row -> SurveyRow.parse(columns, row))
+          RowFile.read(file, columns).lines().values().stream()
+              .map(line -> SurveyRow.parse(columns, CsvLine.parse(line)))
               .toList());
     } catch (IllegalArgumentException | IOException e) {
       throw e instanceof ImageFileException known
