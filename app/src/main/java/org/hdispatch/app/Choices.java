@@ -18,6 +18,7 @@ import org.hdispatch.porous.flow.Inlet;
 import org.hdispatch.porous.flow.Sides;
 import org.hdispatch.porous.image.Axis;
 import org.hdispatch.porous.pore.SpherePacking;
+import org.hdispatch.porous.survey.ReferenceBand;
 import org.hdispatch.sph.SearchMode;
 import org.hdispatch.sph.SumForm;
 import picocli.CommandLine.TypeConversionException;
@@ -142,6 +143,13 @@ abstract class Choices implements Iterable<String> {
   static final class OfOutside extends Choices {
     OfOutside() {
       super(Outside.values());
+    }
+  }
+
+  /** Words for reference bands. */
+  static final class OfBands extends Choices {
+    OfBands() {
+      super(ReferenceBand.values());
     }
   }
 

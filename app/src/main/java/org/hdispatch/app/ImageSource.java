@@ -5,6 +5,7 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.Map;
+import java.util.Optional;
 import java.util.OptionalDouble;
 import org.hdispatch.porous.image.VoxelBox;
 import org.hdispatch.porous.image.VoxelImage;
@@ -47,26 +48,35 @@ interface ImageSource extends ImageFile {
       throw new UsageException(
           "--dims must be left out, as " + format + " knows its size: file=" + file);
     }
+    return stored(file, options.dataset(), options.dims());
+  }
+
+  /**
+   * The image in a file.
+   *
+   * @param dataset its dataset, if it is HDF5 and that must be named
+   * @param dims its size, which only raw files need
+   * @throws UsageException if it is raw and has no size
+   */
+  static ImageSource stored(Path file, Optional<String> dataset, Optional<VoxelBox> dims)
+      throws ImageFileException {
+    ImageFormat format = dataset.isPresent() ? ImageFormat.HDF5 : ImageFormat.of(file);
     return new Stored(
         switch (format) {
-          case HDF5 -> Hdf5Images.open(file, options.dataset());
+          case HDF5 -> Hdf5Images.open(file, dataset);
           case TIFF -> TiffImages.open(file);
           case NUMPY -> NumpyImages.open(file);
           case NRRD -> NrrdImages.open(file);
           case META_IMAGE -> MetaImages.open(file);
-          case RAW -> RawImages.open(file, sizeOfRaw(file, options));
+          case RAW -> RawImages.open(file, sizeOfRaw(file, dims));
         });
   }
 
-  private static VoxelBox sizeOfRaw(Path file, ImageOptions options) {
-    return options
-        .dims()
-        .orElseThrow(
-            () ->
-                new UsageException(
-                    "raw image must come with its size (--dims nx,ny,nz): file="
-                        + file
-                        + hint(file)));
+  private static VoxelBox sizeOfRaw(Path file, Optional<VoxelBox> dims) {
+    return dims.orElseThrow(
+        () ->
+            new UsageException(
+                "raw image must come with its size (--dims nx,ny,nz): file=" + file + hint(file)));
   }
 
   /** Length of a file in words, and the cube that it may be. */

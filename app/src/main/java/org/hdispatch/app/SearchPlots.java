@@ -3,9 +3,9 @@ package org.hdispatch.app;
 import java.util.List;
 import java.util.Optional;
 import java.util.function.DoubleFunction;
+import org.hdispatch.app.draw.Drawing.Mark;
 import org.hdispatch.app.draw.LogPlot;
 import org.hdispatch.app.draw.PlotInk;
-import org.hdispatch.app.draw.SvgWriter.Mark;
 import org.hdispatch.app.text.Numbers;
 import org.hdispatch.sph.SearchMode;
 

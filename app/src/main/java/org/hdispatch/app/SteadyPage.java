@@ -7,11 +7,11 @@ import java.util.Optional;
 import java.util.function.ToDoubleFunction;
 import java.util.stream.DoubleStream;
 import java.util.stream.Stream;
+import org.hdispatch.app.draw.Drawing.Mark;
 import org.hdispatch.app.draw.LogPlot;
 import org.hdispatch.app.draw.LogPlot.Scale;
 import org.hdispatch.app.draw.PlotInk;
 import org.hdispatch.app.draw.StudyPage;
-import org.hdispatch.app.draw.SvgWriter.Mark;
 import org.hdispatch.app.text.Numbers;
 import org.hdispatch.porous.flow.Approach;
 

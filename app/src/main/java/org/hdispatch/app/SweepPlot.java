@@ -4,10 +4,10 @@ import java.util.List;
 import java.util.OptionalDouble;
 import java.util.function.Function;
 import org.hdispatch.app.draw.ColourMap;
+import org.hdispatch.app.draw.Drawing.Anchor;
+import org.hdispatch.app.draw.Drawing.Mark;
 import org.hdispatch.app.draw.LinearAxis;
 import org.hdispatch.app.draw.SvgWriter;
-import org.hdispatch.app.draw.SvgWriter.Anchor;
-import org.hdispatch.app.draw.SvgWriter.Mark;
 import org.hdispatch.app.text.Numbers;
 
 /**

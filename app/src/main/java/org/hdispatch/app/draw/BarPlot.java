@@ -1,7 +1,7 @@
 package org.hdispatch.app.draw;
 
 import java.util.List;
-import org.hdispatch.app.draw.SvgWriter.Anchor;
+import org.hdispatch.app.draw.Drawing.Anchor;
 
 /** Bars to the right, in groups, each in two parts; small enough for a phone. */
 public final class BarPlot {

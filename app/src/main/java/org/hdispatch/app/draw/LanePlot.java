@@ -2,7 +2,7 @@ package org.hdispatch.app.draw;
 
 import java.util.Arrays;
 import java.util.TreeMap;
-import org.hdispatch.app.draw.SvgWriter.Anchor;
+import org.hdispatch.app.draw.Drawing.Anchor;
 
 /**
  * Lanes one above the other on one axis to the right, each with the same axis upwards; small enough

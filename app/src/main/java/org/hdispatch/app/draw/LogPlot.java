@@ -4,20 +4,24 @@ import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
 import java.util.function.DoubleFunction;
-import org.hdispatch.app.draw.SvgWriter.Anchor;
-import org.hdispatch.app.draw.SvgWriter.Mark;
+import org.hdispatch.app.draw.Drawing.Anchor;
+import org.hdispatch.app.draw.Drawing.Mark;
 
 /**
- * A plot on two logarithmic axes, small enough for a phone. What lies outside of the axes is drawn
- * on their edge; so is what a logarithm does not know, zero.
+ * A plot on two axes, logarithmic ones as a rule, small enough for a phone. What lies outside of
+ * the axes is drawn on their edge; so is what a logarithm does not know, zero.
  */
 public final class LogPlot {
   private static final int LEFT = 66;
   private static final int RIGHT = 24;
   private static final int TOP = 32;
   private static final int BOTTOM = 46;
-  private static final int WIDTH = 420;
+
+  /** Width of all plots, pixels. */
+  public static final int WIDTH = 420;
+
   private static final int HEIGHT = 300;
+  private static final int HEADING = 20; // room above the legend
   private static final int SAMPLE = 22; // length of a line in the legend
 
   /** Pixels by which a curve must go on for another point to be drawn. */
@@ -26,9 +30,14 @@ public final class LogPlot {
   /** Decades from which on only powers of ten have numbers. */
   private static final double MANY_DECADES = 2.2;
 
-  private final Scale x;
-  private final Scale y;
-  private final SvgWriter svg;
+  /** Decades below which all numbers have room. */
+  private static final double ONE_DECADE = 0.95;
+
+  private final PlotAxis x;
+  private final PlotAxis y;
+  private final Drawing drawing;
+  private final int top;
+  private final int height;
   private int legendAt = LEFT;
 
   /**
@@ -41,6 +50,10 @@ public final class LogPlot {
    */
   public record Scale(String title, double least, double most, DoubleFunction<String> label)
       implements PlotAxis {
+    private static final List<String> POWERS = List.of("1");
+    private static final List<String> FEW = List.of("1", "2", "5");
+    private static final List<String> MANY = List.of("1", "1.5", "2", "3", "4", "5", "6", "8");
+
     /**
      * From the nearest 1, 2 or 5 times a power of ten below some values to the nearest above.
      *
@@ -48,10 +61,7 @@ public final class LogPlot {
      */
     public static Scale around(
         String title, double lowest, double highest, DoubleFunction<String> label) {
-      if (!(lowest > 0 && highest >= lowest && highest < Double.POSITIVE_INFINITY)) {
-        throw new IllegalArgumentException(
-            "values must be positive: lowest=" + lowest + ", highest=" + highest);
-      }
+      requirePositive(lowest, highest);
       double from = 1;
       double to = 1;
       for (double tick : ticks(lowest / 10, highest * 10, true)) {
@@ -72,11 +82,34 @@ public final class LogPlot {
       return new Scale(title, Math.pow(10, from), Math.pow(10, to), label);
     }
 
+    /**
+     * A little more than from one value to another; on less than a decade, with more numbers.
+     *
+     * @throws IllegalArgumentException if a value is not positive
+     */
+    public static Scale close(
+        String title, double lowest, double highest, DoubleFunction<String> label) {
+      requirePositive(lowest, highest);
+      double margin = Math.max(1.1, Math.pow(highest / lowest, 0.06));
+      return new Scale(title, lowest / margin, highest * margin, label);
+    }
+
+    private static void requirePositive(double lowest, double highest) {
+      if (!(lowest > 0 && highest >= lowest && highest < Double.POSITIVE_INFINITY)) {
+        throw new IllegalArgumentException(
+            "values must be positive: lowest=" + lowest + ", highest=" + highest);
+      }
+    }
+
     /** Powers of ten within, and 2 and 5 times such if there would be too few or all are asked. */
     private static List<Double> ticks(double from, double to, boolean all) {
+      return ticks(from, to, all ? FEW : POWERS);
+    }
+
+    private static List<Double> ticks(double from, double to, List<String> factors) {
       List<Double> ticks = new ArrayList<>();
       for (int power = (int) Math.floor(Math.log10(from)); Math.pow(10, power) <= to; power++) {
-        for (int factor : all ? new int[] {1, 2, 5} : new int[] {1}) {
+        for (String factor : factors) {
           double tick = Double.parseDouble(factor + "e" + power); // exact, as it is printed
           if (tick >= from * (1 - 1e-9) && tick <= to * (1 + 1e-9)) {
             ticks.add(tick);
@@ -88,7 +121,10 @@ public final class LogPlot {
 
     @Override
     public List<Double> ticks() {
-      return ticks(least, most, Math.log10(most / least) < MANY_DECADES);
+      double decades = Math.log10(most / least);
+      return decades < ONE_DECADE
+          ? ticks(least, most, MANY)
+          : ticks(least, most, decades < MANY_DECADES);
     }
 
     @Override
@@ -105,11 +141,36 @@ public final class LogPlot {
    * @param x axis to the right
    * @param y axis upwards
    */
-  public LogPlot(String title, Scale x, Scale y) {
+  public LogPlot(String title, PlotAxis x, PlotAxis y) {
+    this(new SvgWriter(WIDTH, HEIGHT, title), TOP, HEIGHT, x, y);
+  }
+
+  /**
+   * A plot with nothing in it, as wide as others.
+   *
+   * @param drawing where it is drawn, from the upper left
+   * @param height its height, the titles of the axes included, pixels
+   * @param x axis to the right
+   * @param y axis upwards
+   */
+  public LogPlot(Drawing drawing, int height, PlotAxis x, PlotAxis y) {
+    this(drawing, TOP, height, x, y);
+  }
+
+  private LogPlot(Drawing drawing, int top, int height, PlotAxis x, PlotAxis y) {
     this.x = x;
     this.y = y;
-    svg = new SvgWriter(WIDTH, HEIGHT, title);
+    this.drawing = drawing;
+    this.top = top;
+    this.height = height;
     axes();
+  }
+
+  /** A plot with a heading that is seen, above its legend. */
+  public static LogPlot headed(String heading, PlotAxis x, PlotAxis y) {
+    SvgWriter svg = new SvgWriter(WIDTH, HEIGHT + HEADING, heading);
+    svg.text(0, 14, heading, Anchor.START, 0);
+    return new LogPlot(svg, TOP + HEADING, HEIGHT + HEADING, x, y);
   }
 
   private double right(double value) {
@@ -117,24 +178,24 @@ public final class LogPlot {
   }
 
   private double down(double value) {
-    return HEIGHT - BOTTOM - (HEIGHT - TOP - BOTTOM) * y.place(value);
+    return height - BOTTOM - (height - top - BOTTOM) * y.place(value);
   }
 
   private void axes() {
-    int bottom = HEIGHT - BOTTOM;
+    int bottom = height - BOTTOM;
     int end = WIDTH - RIGHT;
     for (double tick : x.ticks()) {
-      svg.line(right(tick), TOP, right(tick), bottom + 5, PlotInk.PALE.light(), "");
-      svg.text(right(tick), bottom + 19, x.label().apply(tick), Anchor.MIDDLE, 0);
+      drawing.line(right(tick), top, right(tick), bottom + 5, PlotInk.PALE.light(), "");
+      drawing.text(right(tick), bottom + 19, x.label().apply(tick), Anchor.MIDDLE, 0);
     }
     for (double tick : y.ticks()) {
-      svg.line(LEFT - 5, down(tick), end, down(tick), PlotInk.PALE.light(), "");
-      svg.text(LEFT - 9, down(tick) + 4, y.label().apply(tick), Anchor.END, 0);
+      drawing.line(LEFT - 5, down(tick), end, down(tick), PlotInk.PALE.light(), "");
+      drawing.text(LEFT - 9, down(tick) + 4, y.label().apply(tick), Anchor.END, 0);
     }
-    svg.line(LEFT, bottom, end, bottom, PlotInk.GREY.light(), "");
-    svg.line(LEFT, TOP, LEFT, bottom, PlotInk.GREY.light(), "");
-    svg.text((LEFT + end) / 2.0, HEIGHT - 8, x.title(), Anchor.MIDDLE, 0);
-    svg.text(13, (TOP + bottom) / 2.0, y.title(), Anchor.MIDDLE, -90);
+    drawing.line(LEFT, bottom, end, bottom, PlotInk.GREY.light(), "");
+    drawing.line(LEFT, top, LEFT, bottom, PlotInk.GREY.light(), "");
+    drawing.text((LEFT + end) / 2.0, height - 8, x.title(), Anchor.MIDDLE, 0);
+    drawing.text(13, (top + bottom) / 2.0, y.title(), Anchor.MIDDLE, -90);
   }
 
   /** A curve through these points. */
@@ -154,40 +215,56 @@ public final class LogPlot {
         placesY[count++] = py;
       }
     }
-    svg.curve(Arrays.copyOf(placesX, count), Arrays.copyOf(placesY, count), ink.light(), dashes);
+    drawing.curve(
+        Arrays.copyOf(placesX, count), Arrays.copyOf(placesY, count), ink.light(), dashes);
   }
 
   /** A mark at a point. */
   public void mark(double atX, double atY, Mark mark, PlotInk ink) {
-    svg.mark(right(atX), down(atY), mark, ink.light(), true);
+    mark(atX, atY, mark, ink, true, 1);
+  }
+
+  /** A mark at a point, or its outline if it is not filled; {@code size} times the usual one. */
+  public void mark(double atX, double atY, Mark mark, PlotInk ink, boolean filled, double size) {
+    drawing.mark(right(atX), down(atY), mark, ink.light(), filled, size);
+  }
+
+  /** An upright line at a point, from one value of y to another. */
+  public void bar(double atX, double from, double to, PlotInk ink) {
+    drawing.line(right(atX), down(from), right(atX), down(to), ink.light(), "");
+  }
+
+  /** A text that ends at a point, a little above it. */
+  public void label(double atX, double atY, String text) {
+    drawing.text(right(atX) - 3, down(atY) - 4, text, Anchor.END, 0);
   }
 
   /** A line across at a value of y. */
   public void level(double value) {
-    svg.line(LEFT, down(value), WIDTH - RIGHT, down(value), PlotInk.GREY.light(), "2 3");
+    drawing.line(LEFT, down(value), WIDTH - RIGHT, down(value), PlotInk.GREY.light(), "2 3");
   }
 
   /** Says what a curve is. */
   public void nameCurve(String name, PlotInk ink, String dashes) {
     double[] ends = {legendAt, legendAt + SAMPLE};
-    svg.curve(ends, new double[] {TOP - 16, TOP - 16}, ink.light(), dashes);
+    drawing.curve(ends, new double[] {top - 16, top - 16}, ink.light(), dashes);
     name(name, SAMPLE);
   }
 
   /** Says what a mark is. */
   public void nameMark(String name, Mark mark, PlotInk ink) {
-    svg.mark(legendAt + 6, TOP - 16, mark, ink.light(), true);
+    drawing.mark(legendAt + 6, top - 16, mark, ink.light(), true, 1);
     name(name, 12);
   }
 
   private void name(String name, int width) {
-    svg.text(legendAt + width + 6, TOP - 12, name, Anchor.START, 0);
+    drawing.text(legendAt + width + 6, top - 12, name, Anchor.START, 0);
     legendAt += width + 6 + 7 * name.length() + 14; // letters of about 7 pixels
   }
 
-  /** The picture as SVG. */
+  /** The picture as SVG, if it is drawn as such. */
   @Override
   public String toString() {
-    return svg.toString();
+    return drawing.toString();
   }
 }

@@ -1,7 +1,9 @@
 package org.hdispatch.app.draw;
 
 import java.awt.image.BufferedImage;
+import java.io.ByteArrayOutputStream;
 import java.io.IOException;
+import java.io.UncheckedIOException;
 import java.nio.channels.Channels;
 import java.nio.file.Path;
 import java.util.function.IntUnaryOperator;
@@ -42,6 +44,19 @@ public final class Picture {
             }
           }
         });
+  }
+
+  /** An image as the bytes of a PNG file. */
+  public static byte[] png(BufferedImage image) {
+    ByteArrayOutputStream out = new ByteArrayOutputStream();
+    try (ImageOutputStream stream = new MemoryCacheImageOutputStream(out)) {
+      if (!ImageIO.write(image, "png", stream)) {
+        throw new IOException("this Java writes no PNG");
+      }
+    } catch (IOException e) {
+      throw new UncheckedIOException("picture must be drawn", e);
+    }
+    return out.toByteArray();
   }
 
   private static BufferedImage draw(Plane plane, IntUnaryOperator colour) {

@@ -1,5 +1,6 @@
 package org.hdispatch.app.draw;
 
+import java.util.Base64;
 import java.util.List;
 import java.util.regex.Pattern;
 
@@ -46,6 +47,9 @@ public final class StudyPage {
       figure { margin: 1.4rem 0; }
       figure > div { display: grid; gap: .8rem;
         grid-template-columns: repeat(auto-fit, minmax(min(100%, 24rem), 1fr)); }
+      figure > div.photos { grid-template-columns: repeat(3, 1fr); }
+      .photos p { margin: 0; color: var(--soft); font-size: .85rem; }
+      .photos img { width: 100%; max-width: 16rem; height: auto; }
       figure svg { width: 100%; max-width: 32rem; height: auto; }
       pre { background: var(--wash); padding: .7rem .9rem; overflow-x: auto; font-size: .9rem; }
       a { color: var(--accent); }
@@ -67,6 +71,7 @@ public final class StudyPage {
         figure svg, p, tr, .verdict { break-inside: avoid; }
         h2, .caption, figcaption, p:has(+ figure) { break-after: avoid; }
         figure > div { grid-template-columns: 1fr 1fr; }
+        figure > div.photos { break-inside: avoid; }
         .wide, pre { overflow: visible; }
         pre { white-space: pre-wrap; }
         .sheet, p:has(+ .sheet), h2:has(+ p + .sheet) { page: sheet; }
@@ -206,6 +211,34 @@ public final class StudyPage {
     element("figcaption", caption);
     line("<div>");
     pictures.forEach(html::append);
+    line("</div>");
+    line("</figure>");
+    return this;
+  }
+
+  /**
+   * A picture of pixels that is part of the page.
+   *
+   * @param png its file
+   * @param title what it shows, for those who cannot see it
+   */
+  public record Photo(byte[] png, String title) {}
+
+  /** Adds pictures of pixels with their titles, beside each other where there is room. */
+  public StudyPage photos(String caption, List<Photo> photos) {
+    line("<figure>");
+    element("figcaption", caption);
+    line("<div class=\"photos\">");
+    for (Photo each : photos) {
+      line(
+          "<p><img alt=\""
+              + Markup.escaped(each.title())
+              + "\" src=\"data:image/png;base64,"
+              + Base64.getEncoder().encodeToString(each.png())
+              + "\"/><br/>"
+              + text(each.title())
+              + "</p>");
+    }
     line("</div>");
     line("</figure>");
     return this;

@@ -3,10 +3,7 @@ package org.hdispatch.app.draw;
 import java.util.Locale;
 
 /** Writes the few elements of SVG that plots are made of. */
-public final class SvgWriter {
-  private static final int SWATCH = 10;
-  private static final double LETTER = 7; // width, about
-
+public final class SvgWriter implements Drawing {
   private final StringBuilder svg = new StringBuilder();
 
   /**
@@ -28,14 +25,7 @@ public final class SvgWriter {
             Markup.escaped(title)));
   }
 
-  /** Where a text has its given place. */
-  public enum Anchor {
-    START,
-    MIDDLE,
-    END
-  }
-
-  /** A straight line; {@code dashes} as SVG has them, empty for none. */
+  @Override
   public void line(double x1, double y1, double x2, double y2, String colour, String dashes) {
     svg.append(
         String.format(
@@ -49,7 +39,7 @@ public final class SvgWriter {
             dashes.isEmpty() ? "" : " stroke-dasharray=\"" + dashes + "\""));
   }
 
-  /** Straight lines from point to point, drawn twice as thick; {@code dashes} as SVG has them. */
+  @Override
   public void curve(double[] x, double[] y, String colour, String dashes) {
     svg.append("<polyline fill=\"none\" stroke-width=\"2\" stroke-linejoin=\"round\" stroke=\"")
         .append(colour)
@@ -76,7 +66,7 @@ public final class SvgWriter {
     svg.append("\"/>").append(System.lineSeparator());
   }
 
-  /** A filled rectangle. */
+  @Override
   public void rectangle(double x, double y, double width, double height, String colour) {
     svg.append(
         String.format(
@@ -89,41 +79,48 @@ public final class SvgWriter {
             colour));
   }
 
-  /**
-   * Says what a colour is.
-   *
-   * @return where there is room for the next
-   */
-  public double name(double x, double y, String name, String colour) {
-    rectangle(x, y - SWATCH, SWATCH, SWATCH, colour);
-    text(x + SWATCH + 5, y, name, Anchor.START, 0);
-    return x + SWATCH + 5 + LETTER * name.length() + 14;
-  }
-
-  /** What marks a point. */
-  public enum Mark {
-    CIRCLE,
-    SQUARE,
-    TRIANGLE,
-    DIAMOND
-  }
-
-  /** A mark, or its outline if it is not filled. */
+  /** A mark of the usual size. */
   public void mark(double x, double y, Mark mark, String colour, boolean filled) {
-    String shape =
+    mark(x, y, mark, colour, filled, 1);
+  }
+
+  @Override
+  public void mark(double x, double y, Mark mark, String colour, boolean filled, double size) {
+    svg.append(
         switch (mark) {
-          case CIRCLE -> "<circle cx=\"%.1f\" cy=\"%.1f\" r=\"4\"";
-          case SQUARE -> "<path d=\"M%.1f,%.1fm-4,-4h8v8h-8z\"";
-          case TRIANGLE -> "<path d=\"M%.1f,%.1fm-5,4h10l-5,-9z\"";
-          case DIAMOND -> "<path d=\"M%.1f,%.1fm0,-6l5,6l-5,6l-5,-6z\"";
-        };
-    svg.append(String.format(Locale.ROOT, shape, x, y))
-        .append(" fill=\"" + (filled ? colour : "white") + "\" stroke=\"" + colour + "\"")
-        .append(" stroke-width=\"2\"/>")
+          case CIRCLE -> format("<circle cx=\"%.1f\" cy=\"%.1f\" r=\"%s\"", x, y, plain(4 * size));
+          case SQUARE -> path("M%.1f,%.1fm%s,%sh%sv%sh%sz", x, y, size, -4, -4, 8, 8, -8);
+          case TRIANGLE -> path("M%.1f,%.1fm%s,%sh%sl%s,%sz", x, y, size, -5, 4, 10, -5, -9);
+          case DIAMOND ->
+              path("M%.1f,%.1fm%s,%sl%s,%sl%s,%sl%s,%sz", x, y, size, 0, -6, 5, 6, -5, 6, -5, -6);
+          case CROSS ->
+              path("M%.1f,%.1fm%s,%sl%s,%sm%s,%sl%s,%s", x, y, size, -4, -4, 8, 8, 0, -8, -8, 8);
+          case PLUS -> path("M%.1f,%.1fm%s,%sh%sm%s,%sv%s", x, y, size, -5, 0, 10, -5, -5, 10);
+        });
+    svg.append(" fill=\"" + (filled ? colour : "white") + "\" stroke=\"" + colour + "\"")
+        .append(" stroke-width=\"" + (size < 1 ? "1.2" : "2") + "\"/>")
         .append(System.lineSeparator());
   }
 
-  /** A text, turned by some degrees. */
+  private static String format(String format, Object... values) {
+    return String.format(Locale.ROOT, format, values);
+  }
+
+  private static String path(String format, double x, double y, double size, int... moves) {
+    Object[] values = new Object[2 + moves.length];
+    values[0] = x;
+    values[1] = y;
+    for (int n = 0; n < moves.length; n++) {
+      values[2 + n] = plain(size * moves[n]);
+    }
+    return "<path d=\"" + format(format, values) + "\"";
+  }
+
+  private static String plain(double value) {
+    return value == Math.rint(value) ? format("%.0f", value) : format("%.1f", value);
+  }
+
+  @Override
   public void text(double x, double y, String text, Anchor anchor, int degrees) {
     svg.append(
         String.format(

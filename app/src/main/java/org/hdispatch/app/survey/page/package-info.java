@@ -1,0 +1,2 @@
+/** The report of surveys: figure of permeability against porosity, block sizes, maps, page. */
+package org.hdispatch.app.survey.page;
