@@ -30,8 +30,11 @@ public final class LogPlot {
   /** Decades from which on only powers of ten have numbers. */
   private static final double MANY_DECADES = 2.2;
 
-  /** Decades below which all numbers have room. */
+  /** Decades below which many numbers have room. */
   private static final double ONE_DECADE = 0.95;
+
+  /** Decades below which most have. */
+  private static final double HALF_DECADE = 0.4;
 
   private final PlotAxis x;
   private final PlotAxis y;
@@ -52,6 +55,8 @@ public final class LogPlot {
       implements PlotAxis {
     private static final List<String> POWERS = List.of("1");
     private static final List<String> FEW = List.of("1", "2", "5");
+    private static final List<String> MOST =
+        List.of("1", "1.2", "1.4", "1.6", "1.8", "2", "2.5", "3", "3.5", "4", "5", "6", "7", "8", "9");
     private static final List<String> MANY = List.of("1", "1.5", "2", "3", "4", "5", "6", "8");
 
     /**
@@ -122,9 +127,10 @@ public final class LogPlot {
     @Override
     public List<Double> ticks() {
       double decades = Math.log10(most / least);
-      return decades < ONE_DECADE
-          ? ticks(least, most, MANY)
-          : ticks(least, most, decades < MANY_DECADES);
+      if (decades < ONE_DECADE) {
+        return ticks(least, most, decades < HALF_DECADE ? MOST : MANY);
+      }
+      return ticks(least, most, decades < MANY_DECADES);
     }
 
     @Override

@@ -36,8 +36,7 @@ public final class CrossPlot {
   private static final double SMALL = 0.62; // marks, times the usual ones
   private static final double MANY = 40; // points, from which marks are small
   private static final String FIT_DASHES = "";
-  private static final String BAND_DASHES = "6 4";
-  private static final List<String> MORE_FIT_DASHES = List.of(FIT_DASHES, "9 3 2 3", "2 3");
+  private static final List<String> MORE_FIT_DASHES = List.of(FIT_DASHES, "12 3", "9 3 2 3");
 
   private static final List<Mark> MARKS =
       List.of(Mark.CIRCLE, Mark.SQUARE, Mark.TRIANGLE, Mark.DIAMOND);
@@ -151,7 +150,7 @@ public final class CrossPlot {
       for (ReferenceBand.Curve curve : band.curves()) {
         List<Double> seen = seen(curve::permeability, curve::reaches);
         if (seen.size() > 1) {
-          curve(plot, seen, curve::permeability, PlotInk.GREY, BAND_DASHES);
+          curve(plot, seen, curve::permeability, PlotInk.GREY, dashes(band));
           double last = seen.get(seen.size() - 1);
           plot.label(last, curve.permeability(last), curve.name());
         }
@@ -192,6 +191,13 @@ public final class CrossPlot {
       }
     }
     legend(drawing);
+  }
+
+  private static String dashes(ReferenceBand band) {
+    return switch (band) {
+      case LUCIA -> "6 4";
+      case FONTAINEBLEAU -> "1.5 3";
+    };
   }
 
   private static String fitDashes(int number) {
@@ -306,7 +312,7 @@ public final class CrossPlot {
     }
     for (ReferenceBand band : report.bands()) {
       entries.add(
-          new Entry((on, left, at) -> line(on, left, at, PlotInk.GREY, BAND_DASHES), legend(band)));
+          new Entry((on, left, at) -> line(on, left, at, PlotInk.GREY, dashes(band)), legend(band)));
     }
     return entries;
   }

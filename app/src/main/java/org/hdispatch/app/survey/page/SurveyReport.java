@@ -58,7 +58,7 @@ public record SurveyReport(
       String constant = "C = " + Numbers.significant(curve.constant(), 3) + " mD";
       return Double.isNaN(curve.error())
           ? constant
-          : constant + " \u00b1 " + Numbers.plain(100 * curve.error(), 2) + " %";
+          : constant + " \u00b1 " + Numbers.significant(100 * curve.error(), 2) + " %";
     }
   }
 
