@@ -13,8 +13,9 @@ import java.util.Arrays;
  *       r/(1 - r) remains to come. r below 2/3 counts as 2/3, so that a lucky pause is not taken
  *       for the end. Changes that do not shrink tell nothing, unless thousands of them would still
  *       be within the tolerance: those are rounding errors.
- *   <li>The imbalance of the fluxes through the sections of the rock, which shows what the decay
- *       cannot: that pressure is still on its way.
+ *   <li>What the fluxes through the sections of the rock tell, and the decay cannot: that pressure
+ *       is still on its way. Where pressure is corrected, that is how far they lie apart ({@link
+ *       SectionFlux#unsettled}), else at most ({@link SectionFlux#imbalance}).
  *   <li>What momentum alone must leave after so many steps, exp(-t/t_m) with t_m the time of {@link
  *       RelaxationChoice}, for pores two thirds as wide as the hydraulic diameter. It keeps a slow
  *       start at a low viscosity from being taken for a steady state.
@@ -29,7 +30,7 @@ final class ErrorOfSteadyState {
   private final double rounding;
   private double[] values = new double[64];
   private int count;
-  private double imbalance = Double.POSITIVE_INFINITY;
+  private double unsettled = Double.POSITIVE_INFINITY;
   private double momentum = 1;
 
   private ErrorOfSteadyState(int leastWindow, double leastRatio, double tolerance) {
@@ -61,16 +62,16 @@ final class ErrorOfSteadyState {
    * Adds a sample; samples come at equal intervals.
    *
    * @param permeability k, any unit
-   * @param fluxImbalance see {@link SectionFlux#imbalance}
+   * @param pressureLeft change still to come while pressure spreads, relative to k
    * @param momentumLeft share of the momentum still to come, see {@link
    *     RelaxationChoice#momentumLeft}
    */
-  void add(double permeability, double fluxImbalance, double momentumLeft) {
+  void add(double permeability, double pressureLeft, double momentumLeft) {
     if (count == values.length) {
       values = Arrays.copyOf(values, 2 * count);
     }
     values[count++] = permeability;
-    imbalance = fluxImbalance;
+    unsettled = pressureLeft;
     momentum = momentumLeft;
   }
 
@@ -83,7 +84,7 @@ final class ErrorOfSteadyState {
 
   /** Estimated relative error of the last k; infinite as long as there are too few samples. */
   double estimate() {
-    return Math.max(extrapolatedDecay(), Math.max(imbalance, momentum));
+    return Math.max(extrapolatedDecay(), Math.max(unsettled, momentum));
   }
 
   private double extrapolatedDecay() {

@@ -21,6 +21,8 @@ final class SectionFlux {
   private final CellMap<Part> parts;
   private final TimeLoop loop;
   private final double[] flux;
+  private final double[] density; // mean of the nodes of each section
+  private final int[] nodes; // of each section
   private final LbmScheme.NodeVisitor also; // sees what is measured at each node
   private double highestSpeed;
 
@@ -35,6 +37,8 @@ final class SectionFlux {
     this.domain = domain;
     this.flow = flow;
     flux = new double[domain.length()];
+    density = new double[domain.length()];
+    nodes = new int[domain.length()];
     CellMap<NodalBundle> bundles = flow.cells();
     long[] keys = new long[bundles.size()];
     Arrays.setAll(keys, bundles::keyAt);
@@ -51,10 +55,15 @@ final class SectionFlux {
   void measure() {
     loop.run(1);
     Arrays.fill(flux, 0);
+    Arrays.fill(density, 0);
+    Arrays.fill(nodes, 0);
     double square = 0;
     for (int n = 0; n < parts.size(); n++) {
-      parts.cellAt(n).addTo(flux);
+      parts.cellAt(n).addTo(flux, density, nodes);
       square = Math.max(square, parts.cellAt(n).highestSquare);
+    }
+    for (int section = 0; section < density.length; section++) {
+      density[section] /= nodes[section];
     }
     highestSpeed = Math.sqrt(square);
   }
@@ -99,11 +108,44 @@ final class SectionFlux {
     return Math.max(most - mean, mean - least) / Math.abs(mean);
   }
 
+  /**
+   * How far the flux to come is from the mean, relative to it, as far as sections can tell. It is
+   * the mean of the fluxes weighted by the pressure drops over the sections, so by the inequality
+   * of Cauchy and Schwarz no farther than the relative standard deviation of the fluxes times that
+   * of the drops. The latter counts as 1 at least, for pressure also spreads within sections; and
+   * more than {@link #imbalance} it cannot be.
+   *
+   * @param force body force along the flow, to which the pressure drops belong
+   */
+  double unsettled(double force) {
+    double mean = mean();
+    double squares = 0;
+    for (double section : flux) {
+      squares += (section / mean - 1) * (section / mean - 1);
+    }
+    double spread = Math.sqrt(squares / flux.length) * Math.max(1, spreadOfDrops(force));
+    return spread <= imbalance() ? spread : imbalance();
+  }
+
+  /** Standard deviation of the pressure drops from section to section over their mean. */
+  private double spreadOfDrops(double force) {
+    int drops = density.length - 1;
+    double mean = force - (density[drops] - density[0]) / 3 / drops;
+    double squares = 0;
+    for (int n = 0; n < drops; n++) {
+      double drop = force - (density[n + 1] - density[n]) / 3;
+      squares += (drop / mean - 1) * (drop / mean - 1);
+    }
+    return Math.sqrt(squares / drops);
+  }
+
   /** The sums of one bundle. */
   private final class Part {
     private final NodalBundle bundle;
     private final int firstSection;
     private final double[] sums;
+    private final double[] densities;
+    private final int[] counts;
     private final LbmScheme.NodeVisitor add = this::add; // made once: nothing allocates in a pass
     private double highestSquare;
 
@@ -118,6 +160,8 @@ final class SectionFlux {
       }
       firstSection = least;
       sums = new double[most - least + 1];
+      densities = new double[sums.length];
+      counts = new int[sums.length];
     }
 
     private int section(int x, int y, int z) {
@@ -126,6 +170,8 @@ final class SectionFlux {
 
     void sum(LbmScheme.Scratch scratch) {
       Arrays.fill(sums, 0);
+      Arrays.fill(densities, 0);
+      Arrays.fill(counts, 0);
       highestSquare = 0;
       flow.forEachFlux(bundle, scratch, add);
     }
@@ -133,15 +179,20 @@ final class SectionFlux {
     private void add(int x, int y, int z, double density, double ux, double uy, double uz) {
       also.visit(x, y, z, density, ux, uy, uz);
       Axis axis = domain.axis();
-      sums[section(x, y, z) - firstSection] += axis == Axis.X ? ux : axis == Axis.Y ? uy : uz;
+      int section = section(x, y, z) - firstSection;
+      sums[section] += axis == Axis.X ? ux : axis == Axis.Y ? uy : uz;
+      densities[section] += density;
+      counts[section]++;
       highestSquare = Math.max(highestSquare, ux * ux + uy * uy + uz * uz);
     }
 
-    void addTo(double[] flux) {
+    void addTo(double[] flux, double[] density, int[] nodes) {
       for (int n = 0; n < sums.length; n++) {
         int section = firstSection + n;
         if (section >= 0 && section < flux.length) {
           flux[section] += sums[n];
+          density[section] += densities[n];
+          nodes[section] += counts[n];
         }
       }
     }

@@ -130,7 +130,7 @@ final class SteadyLbmRun implements Stepping.Flow {
   /** Steps, measures, and corrects the pressure where that helps and more steps follow. */
   @Override
   public void advance(long steps) {
-    boolean correct = pressure.isPresent() && pressure.get().helpful() && steps > GAIN_STEPS;
+    boolean correct = corrects() && steps > GAIN_STEPS;
     loop.run(correct ? steps - GAIN_STEPS : steps);
     if (correct) {
       timed(pressure.get()::noteDensity);
@@ -141,6 +141,11 @@ final class SteadyLbmRun implements Stepping.Flow {
       timed(() -> pressure.get().correct(GAIN_STEPS, flux.section()));
       corrections++;
     }
+  }
+
+  /** Whether the pressure is corrected between measurements. */
+  private boolean corrects() {
+    return pressure.isPresent() && pressure.get().helpful();
   }
 
   @Override
@@ -179,7 +184,7 @@ final class SteadyLbmRun implements Stepping.Flow {
     }
     error.add(
         permeability,
-        flux.imbalance(),
+        corrects() ? flux.unsettled(force) : flux.imbalance(),
         RelaxationChoice.momentumLeft(
             domain.hydraulicDiameter(), scheme.relaxation().viscosity(), stepping.steps()));
     stepping.tell(this, permeability, pressureNanos * 1e-9, scheme.nodes());
