@@ -12,7 +12,8 @@ import java.util.Arrays;
  *       steps and D2 that over the sixth before, the changes shrink by r = D1/D2 each time, and D1
  *       r/(1 - r) remains to come. r below 2/3 counts as 2/3, so that a lucky pause is not taken
  *       for the end. Changes that do not shrink tell nothing, unless thousands of them would still
- *       be within the tolerance: those are rounding errors.
+ *       be within the tolerance: those are rounding errors. Particles creep: see {@link
+ *       #whereCreeping}.
  *   <li>What the fluxes through the sections of the rock tell, and the decay cannot: that pressure
  *       is still on its way. Where pressure is corrected, that is how far they lie apart ({@link
  *       SectionFlux#unsettled}), else at most ({@link SectionFlux#imbalance}).
@@ -28,12 +29,15 @@ final class ErrorOfSteadyState {
   private final int leastWindow;
   private final double leastRatio;
   private final double rounding;
+  private final boolean creeping;
   private double[] values = new double[64];
   private int count;
   private double unsettled = Double.POSITIVE_INFINITY;
   private double momentum = 1;
 
-  private ErrorOfSteadyState(int leastWindow, double leastRatio, double tolerance) {
+  private ErrorOfSteadyState(
+      int leastWindow, double leastRatio, boolean creeping, double tolerance) {
+    this.creeping = creeping;
     this.leastWindow = leastWindow;
     this.leastRatio = leastRatio;
     rounding = ROUNDING * tolerance;
@@ -45,7 +49,7 @@ final class ErrorOfSteadyState {
    * @param tolerance relative error that is aimed at
    */
   static ErrorOfSteadyState wherePlain(double tolerance) {
-    return new ErrorOfSteadyState(4, 2.0 / 3, tolerance);
+    return new ErrorOfSteadyState(4, 2.0 / 3, false, tolerance);
   }
 
   /**
@@ -55,7 +59,19 @@ final class ErrorOfSteadyState {
    * @param tolerance relative error that is aimed at
    */
   static ErrorOfSteadyState whereCorrected(double tolerance) {
-    return new ErrorOfSteadyState(1, 0.5, tolerance);
+    return new ErrorOfSteadyState(1, 0.5, false, tolerance);
+  }
+
+  /**
+   * Of particles whose pressure is corrected between samples. Pressures that alternate from one
+   * particle to the next drive hardly any flow; so they are found by diffusion, and k creeps to its
+   * final value as the inverse root of the steps. Of a change D1 over the last w of n samples so
+   * much is then still to come: D1/((1 - w/n)^(-1/2) - 1), at least.
+   *
+   * @param tolerance relative error that is aimed at
+   */
+  static ErrorOfSteadyState whereCreeping(double tolerance) {
+    return new ErrorOfSteadyState(1, 0.5, true, tolerance);
   }
 
   /**
@@ -102,7 +118,9 @@ final class ErrorOfSteadyState {
       return Double.POSITIVE_INFINITY;
     }
     double ratio = Math.max(leastRatio, recent / before);
-    return relative * ratio / (1 - ratio);
+    double decay = ratio / (1 - ratio);
+    double creep = creeping ? 1 / (1 / Math.sqrt(1 - (double) window / count) - 1) : 0;
+    return relative * Math.max(decay, creep);
   }
 
   private double range(int first, int last) {

@@ -26,8 +26,8 @@ final class SteadySphRun implements Stepping.Flow {
   /** So that sound, as viscosity, hardly limits the time step: c = 2 would limit it as much. */
   private static final double SOUND_SPEED = 1.8;
 
-  /** Mean pore velocity aimed at, voxels per step: particles hardly leave the voxel they are in. */
-  private static final double PORE_VELOCITY = 1e-5;
+  /** Mean pore velocity aimed at, voxels per step: particles hardly leave their places. */
+  private static final double PORE_VELOCITY = 1e-7;
 
   private static final double SKIN = 0.1;
 
@@ -74,7 +74,7 @@ final class SteadySphRun implements Stepping.Flow {
       FlowListener listener) {
     this.porosity = porosity;
     this.options = options;
-    error = ErrorOfSteadyState.whereCorrected(options.tolerance());
+    error = ErrorOfSteadyState.whereCreeping(options.tolerance());
     this.percolation = percolation;
     this.domain = domain;
     this.listener = listener;
@@ -235,19 +235,30 @@ final class SteadySphRun implements Stepping.Flow {
     return corrections;
   }
 
-  /** Finds the rate at which density grows at each node since it was noted, and in each section. */
+  /**
+   * Finds the rate at which density grows at each node since it was noted, and in each section:
+   * what it grows by more than in the mean. Sums of number densities are not conserved, and what
+   * all particles gain alike neither drives a flow nor is driven away by one.
+   */
   private void gather() {
     double[] gain = darcy.field();
     double time = GAIN_STEPS * limits.allowed();
-    Arrays.fill(gains, 0);
     scheme.forEachParticle(
         (id, phase, x, y, z, u, v, w, n, p) -> {
           if (phase == ParticleLayout.FLUID) {
-            int node = layout.nodes()[id];
-            gain[node] = (n / densities[id] - 1) / time;
-            gains[layout.coordinate(node, options.axis())] += gain[node];
+            gain[layout.nodes()[id]] = (n / densities[id] - 1) / time;
           }
         });
+    double sum = 0;
+    for (int node : layout.nodes()) {
+      sum += gain[node];
+    }
+    double mean = sum / layout.nodes().length;
+    Arrays.fill(gains, 0);
+    for (int node : layout.nodes()) {
+      gain[node] -= mean;
+      gains[layout.coordinate(node, options.axis())] += gain[node];
+    }
   }
 
   /** Gives the pressure that drives away what gathers. */

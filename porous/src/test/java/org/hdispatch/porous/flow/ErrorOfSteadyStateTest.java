@@ -51,6 +51,16 @@ class ErrorOfSteadyStateTest {
   }
 
   @Test
+  void isNotFooledByParticlesThatCreep() {
+    for (double creep : new double[] {0.1, -0.3}) {
+      IntToDoubleFunction k = n -> 1 + creep / Math.sqrt(n + 1) + 0.2 * Math.exp(-n / 2.0);
+      double last = assertBounds(ErrorOfSteadyState.whereCreeping(TOLERANCE), k, 1, 500, 60);
+      double truth = Math.abs(creep) / Math.sqrt(500);
+      assertTrue(last < 1.2 * truth, last + " against " + truth);
+    }
+  }
+
+  @Test
   void isInfiniteWhileTheChangesGrow() {
     ErrorOfSteadyState error = ErrorOfSteadyState.wherePlain(TOLERANCE);
     for (int n = 0; n < 50; n++) {
@@ -96,7 +106,11 @@ class ErrorOfSteadyStateTest {
   }
 
   private static void assertBounds(IntToDoubleFunction k, double limit, int samples, int from) {
-    ErrorOfSteadyState error = ErrorOfSteadyState.wherePlain(TOLERANCE);
+    assertBounds(ErrorOfSteadyState.wherePlain(TOLERANCE), k, limit, samples, from);
+  }
+
+  private static double assertBounds(
+      ErrorOfSteadyState error, IntToDoubleFunction k, double limit, int samples, int from) {
     for (int n = 0; n < samples; n++) {
       double value = k.applyAsDouble(n);
       error.add(value, 0, 0);
@@ -107,5 +121,6 @@ class ErrorOfSteadyStateTest {
             "sample " + n + ": estimate " + error.estimate() + ", truth " + truth);
       }
     }
+    return error.estimate();
   }
 }
