@@ -9,6 +9,7 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.concurrent.Callable;
+import java.util.stream.Collectors;
 import org.hdispatch.app.study.GcRow;
 import org.hdispatch.app.study.GcStudy;
 import org.hdispatch.app.study.Jdk;
@@ -32,12 +33,13 @@ import picocli.CommandLine.Spec;
           + " or thread-local, on every collector of every Java installed: a JVM for each run, a few"
           + " seconds each. Use the machine for nothing else meanwhile.",
       "Runs that are in the folder already are not run again, so a study that was ended goes on"
-          + " where it was."
+          + " where it was; unless another build, JVM or machine made them."
     })
 final class GcStudyCommand implements Callable<Integer> {
   private static final String NAME = "gc-study";
   private static final String COMMAND = NAME + ".command";
   private static final int MOST_THREADS = 4096;
+  private static final int MOST_FORKS = 100;
   private static final double MOST_SECONDS = 600;
   private static final double QUICK_SECONDS = 0.5;
   private static final double USUAL_SECONDS = 1.6;
@@ -92,6 +94,15 @@ final class GcStudyCommand implements Callable<Integer> {
   private int threads;
 
   @Option(
+      names = "--forks",
+      paramLabel = "N",
+      defaultValue = "1",
+      description =
+          "How often each case is run (1 to 100), in rounds over all cases. What is said is medians"
+              + " and the spread.")
+  private int forks;
+
+  @Option(
       names = "--seconds",
       paramLabel = "S",
       description = "Length of each measurement, after warm-up. Default: 1.6, with --quick 0.5.")
@@ -123,30 +134,18 @@ final class GcStudyCommand implements Callable<Integer> {
     try (OutputFolder folder = OutputFolder.open(output)) {
       List<String> given = spec.root().commandLine().getParseResult().originalArgs();
       String command = "./hdispatch " + String.join(" ", given);
-      String machine = machine();
-      folder.write(COMMAND, command + "\n" + machine + "\n");
+      folder.write(COMMAND, command + "\n");
       run(jdks);
-      report(output, folder, List.of(command, machine));
+      report(output, folder, command);
     }
     return ExitCode.DONE.code();
   }
 
-  private static String machine() {
-    return Runtime.getRuntime().availableProcessors()
-        + " processors, "
-        + System.getProperty("os.name")
-        + " "
-        + System.getProperty("os.version")
-        + ", "
-        + System.getProperty("os.arch");
-  }
-
-  /** What the runs in a folder were asked for with, and where they were made. */
-  private static List<String> commandOf(Path folder) throws ImageFileException {
+  /** What the runs in a folder were asked for with. */
+  private static String commandOf(Path folder) throws ImageFileException {
     Path file = folder.resolve(COMMAND);
     try {
-      List<String> lines = Files.exists(file) ? Files.readAllLines(file) : List.of();
-      return lines.size() == 2 ? lines : List.of("./hdispatch " + NAME, "not known");
+      return Files.exists(file) ? Files.readString(file).strip() : "./hdispatch " + NAME;
     } catch (IOException e) {
       throw new ImageFileException("file of a study must be readable: file=" + file, e);
     }
@@ -155,6 +154,9 @@ final class GcStudyCommand implements Callable<Integer> {
   private void check() {
     if (threads < 1 || threads > MOST_THREADS) {
       throw new UsageException("threads must number 1 to " + MOST_THREADS + ": threads=" + threads);
+    }
+    if (forks < 1 || forks > MOST_FORKS) {
+      throw new UsageException("forks must number 1 to " + MOST_FORKS + ": forks=" + forks);
     }
     if (seconds != null && !(seconds > 0 && seconds <= MOST_SECONDS)) {
       throw new UsageException(
@@ -165,7 +167,7 @@ final class GcStudyCommand implements Callable<Integer> {
     }
     if (reported != null) {
       for (String each :
-          List.of("--jdk", "--quick", "--full", "--output", "--threads", "--seconds")) {
+          List.of("--jdk", "--quick", "--full", "--forks", "--output", "--threads", "--seconds")) {
         if (spec.commandLine().getParseResult().hasMatchedOption(each)) {
           throw new UsageException(each + " must come without --report-only");
         }
@@ -194,15 +196,33 @@ final class GcStudyCommand implements Callable<Integer> {
     double length = seconds != null ? seconds : scope.quick ? QUICK_SECONDS : USUAL_SECONDS;
     long begin = System.nanoTime();
     try (StatusLine status = new StatusLine(spec.commandLine().getErr())) {
-      new GcStudy(jdks, which, threads, length, output)
-          .run(
-              (what, number, of) -> {
-                if (host.terminal() && !quiet) {
-                  status.show("run " + number + " of " + of + left(begin, number, of) + what);
-                }
-              });
+      GcStudy study = new GcStudy(jdks, which, forks, threads, length, output);
+      tell(study.foreign());
+      study.run(
+          (what, number, of) -> {
+            if (host.terminal() && !quiet) {
+              status.show("run " + number + " of " + of + left(begin, number, of) + what);
+            }
+          });
     } catch (IOException e) {
       throw new ImageFileException(e.getMessage(), e);
+    }
+  }
+
+  /** That runs which are there cannot be used. */
+  private void tell(List<List<String>> foreign) {
+    if (!foreign.isEmpty()) {
+      spec.commandLine()
+          .getErr()
+          .println(
+              "hdispatch: runs in the folder differ from what would be run now, and are made anew:"
+                  + " runs="
+                  + foreign.size()
+                  + ", other="
+                  + foreign.stream()
+                      .flatMap(List::stream)
+                      .distinct()
+                      .collect(Collectors.joining(" and ")));
     }
   }
 
@@ -215,8 +235,7 @@ final class GcStudyCommand implements Callable<Integer> {
     return String.format("  %d:%02d left  ", left / 60, left % 60);
   }
 
-  private void report(Path from, OutputFolder folder, List<String> origin)
-      throws ImageFileException {
+  private void report(Path from, OutputFolder folder, String command) throws ImageFileException {
     List<GcRow> rows;
     String json;
     try {
@@ -231,7 +250,7 @@ final class GcStudyCommand implements Callable<Integer> {
     List<String> files = List.of(NAME + ".csv", NAME + ".json");
     folder.write(files.get(0), FlatRow.toCsv(GcStudyTable.rows(rows)));
     folder.write(files.get(1), json);
-    folder.write(NAME + ".html", GcPage.html(rows, origin.get(0), origin.get(1), files));
+    folder.write(NAME + ".html", GcPage.html(rows, command, files));
     PrintWriter out = spec.commandLine().getOut();
     out.println(GcStudyTable.text(rows));
     GcVerdict.sentences(rows).forEach(out::println);

@@ -6,6 +6,7 @@ import java.util.Locale;
 import java.util.OptionalDouble;
 import org.hdispatch.app.study.GcCase;
 import org.hdispatch.app.study.GcFigures;
+import org.hdispatch.app.study.GcOrigin;
 import org.hdispatch.app.study.GcRow;
 import org.hdispatch.app.study.Lbo;
 import org.hdispatch.app.text.Columns;
@@ -20,6 +21,7 @@ final class GcStudyTable {
   /** A table of the runs that have figures, then a line for each that has none. */
   static String text(List<GcRow> rows) {
     Lbo lbo = Lbo.of(rows);
+    boolean several = rows.stream().anyMatch(row -> row.fork() > 1);
     Columns table =
         new Columns()
             .line(
@@ -30,6 +32,7 @@ final class GcStudyTable {
                 "steps/s",
                 "us/cell",
                 "+ other",
+                "its gc",
                 "cost",
                 "gcs",
                 "pause ms",
@@ -42,7 +45,7 @@ final class GcStudyTable {
     StringBuilder dead = new StringBuilder();
     for (GcRow row : rows) {
       if (row.figures().isPresent()) {
-        table.line(line(row.of(), row.figures().get(), lbo.cost(row)));
+        table.line(line(row, policy(row, several), row.figures().get(), lbo.cost(row)));
       } else {
         dead.append("no figures: ")
             .append(title(row.of()))
@@ -51,7 +54,7 @@ final class GcStudyTable {
             .append(", ")
             .append(row.of().heapFactor())
             .append("x, ")
-            .append(policy(row.of()))
+            .append(policy(row, several))
             .append(": ")
             .append(row.why())
             .append(System.lineSeparator());
@@ -60,16 +63,20 @@ final class GcStudyTable {
     return table.toString() + dead;
   }
 
-  private static String[] line(GcCase of, GcFigures figures, OptionalDouble cost) {
+  private static String[] line(GcRow row, String policy, GcFigures figures, OptionalDouble cost) {
+    GcCase of = row.of();
     double cells = (double) figures.steps() * figures.cells();
     return new String[] {
       title(of),
       of.java(),
       of.heapFactor() + "x",
-      policy(of),
+      policy,
       number("%.1f", figures.steps() / figures.seconds()),
       number("%.1f", MICRO * figures.workerCpuSeconds() / cells),
       number("%.1f", MICRO * figures.otherCpuSeconds() / cells),
+      figures.collectorCpuSeconds() < 0
+          ? "unknown"
+          : number("%.1f", MICRO * figures.collectorCpuSeconds() / cells),
       cost.isPresent() ? number("%.2f", cost.getAsDouble()) : "",
       Long.toString(figures.collections()),
       millis(figures.pauses()),
@@ -90,8 +97,9 @@ final class GcStudyTable {
         + of.collector().title();
   }
 
-  private static String policy(GcCase of) {
-    return of.policy().name().toLowerCase(Locale.ROOT).replace('_', ' ');
+  private static String policy(GcRow row, boolean several) {
+    String name = row.of().policy().name().toLowerCase(Locale.ROOT).replace('_', ' ');
+    return several ? name + " #" + row.fork() : name;
   }
 
   private static String millis(GcFigures.Stops stops) {
@@ -119,7 +127,17 @@ final class GcStudyTable {
               .put("heap_factor", of.heapFactor())
               .put("why", row.why().isEmpty() ? null : row.why());
       put(line, figures);
-      line.put("cost", lbo.cost(row));
+      GcOrigin origin = row.origin();
+      line.put("cost", lbo.cost(row))
+          .put("collector_cpu_s", figures != null ? known(figures.collectorCpuSeconds()) : null)
+          .put("fork", row.fork())
+          .put("vendor", origin.vendor())
+          .put("runtime", origin.runtime())
+          .put("processor", origin.processor())
+          .put("cores", origin.cores())
+          .put("memory_gib", origin.memoryGib())
+          .put("system", origin.system())
+          .put("build", origin.build());
       flat.add(line);
     }
     return flat;

@@ -5,6 +5,7 @@ import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.io.IOException;
+import java.io.UncheckedIOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
@@ -15,6 +16,7 @@ import java.util.stream.Stream;
 import org.hdispatch.app.study.Collector;
 import org.hdispatch.app.study.GcCase;
 import org.hdispatch.app.study.GcFigures;
+import org.hdispatch.app.study.GcOrigin;
 import org.hdispatch.app.study.GcRow;
 import org.hdispatch.app.study.GcRows;
 import org.hdispatch.app.study.Jdk;
@@ -32,8 +34,17 @@ class GcStudyCommandTest {
   private static final Jdk JDK = Jdk.running();
   private static final List<GcCase> QUICK = StudyScope.QUICK.cases(List.of(JDK));
   private static final long SMALLEST = 64L << 20;
+  private static final GcOrigin HERE = here();
 
   @TempDir private Path folder;
+
+  private static GcOrigin here() {
+    try {
+      return GcRows.here(JDK);
+    } catch (IOException e) {
+      throw new UncheckedIOException(e);
+    }
+  }
 
   /** All but two rows are there already: of those one lives and one dies. */
   @Test
@@ -41,10 +52,10 @@ class GcStudyCommandTest {
     GcCase lives = quick(Collector.SERIAL, ScratchPolicy.ENDURING);
     GcCase dies = quick(Collector.EPSILON, ScratchPolicy.PER_CELL);
     RowFiles files = new RowFiles(folder);
-    files.write(new SmallestHeap(Workload.LBM, 64 << 10, JDK.version(), SMALLEST));
+    files.write(new SmallestHeap(Workload.LBM, 64 << 10, JDK.version(), SMALLEST, HERE.build()));
     for (GcCase each : QUICK) {
       if (!each.equals(lives) && !each.equals(dies)) {
-        files.write(GcRows.row(each, 2.5, 0.25));
+        files.write(GcRows.by(GcRows.row(each, 2.5, 0.25), HERE));
       }
     }
     Cli study =
@@ -60,6 +71,11 @@ class GcStudyCommandTest {
     assertTrue(figures.peakHeapBytes() > 30_000_000 && figures.peakHeapBytes() < 2 * SMALLEST);
     assertTrue(figures.steps() >= 1 && figures.seconds() >= 0.1, figures::toString);
     assertTrue(figures.workerCpuSeconds() > 0);
+    boolean linux = Files.exists(Path.of("/proc/self/task"));
+    double collector = figures.collectorCpuSeconds();
+    assertTrue(linux ? collector >= 0 : collector == -1, figures::toString);
+    assertEquals(HERE, rows.get(lives).origin());
+    assertEquals(HERE, rows.get(dies).origin());
     assertEquals(0, figures.collections());
     assertEquals(0, figures.pauses().count());
     assertEquals(0, figures.bytesPerStepInAll());
@@ -85,6 +101,48 @@ class GcStudyCommandTest {
     assertEquals(study.out(), nothingLeft.out()); // to the last digit: nothing was run again
   }
 
+  /** Of the second round all rows are there already but one, which another build has made. */
+  @Test
+  void makesRowsOfAnotherBuildAnewAndSaysSo() throws IOException {
+    GcCase of = quick(Collector.SERIAL, ScratchPolicy.ENDURING);
+    RowFiles files = new RowFiles(folder);
+    files.write(new SmallestHeap(Workload.LBM, 64 << 10, JDK.version(), SMALLEST, HERE.build()));
+    for (GcCase each : QUICK) {
+      files.write(GcRows.by(GcRows.row(each, 2.5, 0.25), HERE));
+      files.write(GcRows.again(GcRows.by(GcRows.row(each, 2.5, 0.25), HERE), 2));
+    }
+    GcRow foreign = GcRows.by(GcRows.row(of, 2.5, 0.25), GcRows.ORIGIN);
+    files.write(GcRows.again(foreign, 2));
+    Cli study =
+        Cli.run(
+            "gc-study",
+            "--quick",
+            "--forks",
+            2,
+            "--jdk",
+            JDK.home(),
+            "--output",
+            folder,
+            "--seconds",
+            0.1);
+    assertEquals(0, study.code(), study.err());
+    assertEquals(
+        "hdispatch: runs in the folder differ from what would be run now, and are made anew: runs=1,"
+            + " other=JVM and machine and build",
+        study.err().strip());
+    List<GcRow> rows = files.all();
+    assertEquals(2 * QUICK.size(), rows.size());
+    for (GcRow row : rows) {
+      boolean again = row.of().equals(of) && row.fork() == 2;
+      assertEquals(again ? 2 * SMALLEST : 96L << 20, row.figures().orElseThrow().heapBytes());
+      assertEquals(HERE, row.origin());
+    }
+    assertTrue(study.out().contains("enduring #2"), study.out());
+    String csv = Files.readString(folder.resolve("gc-study.csv"));
+    assertTrue(csv.lines().findFirst().orElseThrow().endsWith(",build"), csv);
+    assertEquals(2 * QUICK.size(), csv.lines().filter(line -> line.endsWith(HERE.build())).count());
+  }
+
   private static GcCase quick(Collector collector, ScratchPolicy policy) {
     return QUICK.stream()
         .filter(run -> run.collector() == collector && run.policy() == policy)
@@ -97,6 +155,7 @@ class GcStudyCommandTest {
   void refusesWhatCannotBeMeant() {
     Cli.run("gc-study", "--threads", 0)
         .assertRefused(2, "threads must number 1 to 4096: threads=0");
+    Cli.run("gc-study", "--forks", 0).assertRefused(2, "forks must number 1 to 100: forks=0");
     Cli.run("gc-study", "--seconds", 0).assertRefused(2, "seconds=0.0");
     Cli.run("gc-study", "--quick", "--full").assertRefused(2, "--quick", "--full");
     Cli.run("gc-study", "--jdk", folder).assertRefused(2, "--jdk must be a home of Java 17");

@@ -124,7 +124,7 @@ public record ChildJvm(Jdk jdk, Path folder) {
   }
 
   /** Classes and modules of this JVM, in absolute places: a child has another folder. */
-  private static String classPath() {
+  static String classPath() {
     return Stream.of("java.class.path", "jdk.module.path")
         .map(System::getProperty)
         .filter(path -> path != null && !path.isEmpty())

@@ -32,6 +32,14 @@ final class Forks {
   }
 
   /**
+   * How a JVM ended.
+   *
+   * @param why in one line, why there are no figures; empty if there are
+   * @param figures what was measured; empty if it died, refused or took too long
+   */
+  record Outcome(String why, Optional<GcFigures> figures) {}
+
+  /**
    * Runs a case.
    *
    * @param jdk whose JVM
@@ -39,11 +47,10 @@ final class Forks {
    * @param warmUpSeconds before the measurement
    * @param seconds of the measurement
    * @param patienceSeconds after which the JVM is ended
-   * @return the row; one that says why, if the JVM died, refused or took too long
    * @throws IOException if it cannot be started, or files cannot be written
    * @throws CancellationException if this thread is interrupted; the JVM is ended then
    */
-  GcRow run(
+  Outcome run(
       GcCase what,
       Jdk jdk,
       long heapBytes,
@@ -70,13 +77,13 @@ final class Forks {
               .run(options(what.collector(), heapBytes), StudyRun.class, args, patience);
       if (ended.code() == 0 && Files.exists(figures)) {
         GcFigures read = RecordJson.read(GcFigures.class, Files.readString(figures));
-        return new GcRow(what, "", Optional.of(read));
+        return new Outcome("", Optional.of(read));
       }
       String why =
           ended.code() == ChildJvm.TOO_LONG
               ? NO_END + Math.round(patienceSeconds) + " s"
               : why(Stream.concat(ended.out().lines(), ended.err().lines()).toList(), ended.code());
-      return new GcRow(what, why, Optional.empty());
+      return new Outcome(why, Optional.empty());
     } finally {
       Files.deleteIfExists(figures);
     }

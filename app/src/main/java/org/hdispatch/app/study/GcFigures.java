@@ -12,7 +12,9 @@ import java.util.List;
  * @param steps number of them
  * @param seconds wall time
  * @param workerCpuSeconds processor time of the threads that stepped
- * @param otherCpuSeconds of all other threads: the collector's, and a little of the compilers'
+ * @param otherCpuSeconds of all other threads: the collector's, the compilers', the recorder's
+ * @param collectorCpuSeconds the collector's share of that, or -1 where the operating system does
+ *     not tell
  * @param collections collections begun; a concurrent cycle counts once
  * @param pauses stop-the-world work of the collector, as it reports it
  * @param stopped all threads stopped, for whatever reason, from the request until they ran again
@@ -32,6 +34,7 @@ public record GcFigures(
     double seconds,
     double workerCpuSeconds,
     double otherCpuSeconds,
+    double collectorCpuSeconds,
     long collections,
     Stops pauses,
     Stops stopped,

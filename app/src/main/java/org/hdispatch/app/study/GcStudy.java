@@ -3,7 +3,9 @@ package org.hdispatch.app.study;
 import java.io.IOException;
 import java.nio.file.Path;
 import java.util.ArrayList;
+import java.util.HashMap;
 import java.util.List;
+import java.util.Map;
 import java.util.Optional;
 import java.util.concurrent.CancellationException;
 
@@ -29,31 +31,37 @@ public final class GcStudy {
 
   private final List<Jdk> jdks;
   private final List<GcCase> cases;
+  private final int repeats;
   private final int threads;
   private final double seconds;
   private final RowFiles files;
   private final Forks forks;
+  private final String build;
+  private final Map<String, GcOrigin> origins = new HashMap<>(); // by version of Java
 
   /**
    * Says what to run.
    *
    * @param jdks of which at least one; the first finds the smallest heaps
    * @param scope which cases
+   * @param repeats how often each is run
    * @param threads that step
    * @param seconds of each measurement
    * @param folder where the rows are kept; exists
+   * @throws IOException if the code of this program cannot be read
    */
-  public GcStudy(List<Jdk> jdks, StudyScope scope, int threads, double seconds, Path folder) {
-    this(jdks, scope.cases(jdks), threads, seconds, folder);
-  }
-
-  GcStudy(List<Jdk> jdks, List<GcCase> cases, int threads, double seconds, Path folder) {
+  public GcStudy(
+      List<Jdk> jdks, StudyScope scope, int repeats, int threads, double seconds, Path folder)
+      throws IOException {
     this.jdks = List.copyOf(jdks);
-    this.cases = List.copyOf(cases);
+    cases = scope.cases(jdks);
+    this.repeats = repeats;
     this.threads = threads;
     this.seconds = seconds;
     files = new RowFiles(folder);
     forks = new Forks(folder, threads);
+    build = CodeHash.of(ChildJvm.classPath());
+    jdks.forEach(jdk -> origins.put(jdk.version(), GcOrigin.of(jdk, build)));
   }
 
   /** Hears of each run before it starts. */
@@ -70,6 +78,52 @@ public final class GcStudy {
   }
 
   /**
+   * A run of a case.
+   *
+   * @param of the case
+   * @param fork which run of it, from 1
+   */
+  private record Fork(GcCase of, int fork) {}
+
+  /** Rounds over all cases: what is compared lies next to each other in time, again and again. */
+  private List<Fork> all() {
+    List<Fork> all = new ArrayList<>();
+    for (int fork = 1; fork <= repeats; fork++) {
+      for (GcCase each : cases) {
+        all.add(new Fork(each, fork));
+      }
+    }
+    return all;
+  }
+
+  /**
+   * Rows that are there but were made by another build, or on another machine or JVM: they will be
+   * made anew.
+   *
+   * @return for each, in what it differs, such as {@code build}
+   * @throws IOException if a file cannot be read
+   */
+  public List<List<String>> foreign() throws IOException {
+    List<List<String>> foreign = new ArrayList<>();
+    for (Fork each : all()) {
+      files
+          .row(each.of(), each.fork())
+          .map(row -> row.origin().differences(origin(each.of())))
+          .filter(differences -> !differences.isEmpty())
+          .ifPresent(foreign::add);
+    }
+    return foreign;
+  }
+
+  private GcOrigin origin(GcCase of) {
+    return origins.get(of.java());
+  }
+
+  private Jdk jdk(GcCase of) {
+    return jdks.stream().filter(each -> each.version().equals(of.java())).findFirst().orElseThrow();
+  }
+
+  /**
    * Runs what has not been run yet.
    *
    * @throws IOException if a file cannot be read or written, a JVM not started, or a workload does
@@ -77,23 +131,25 @@ public final class GcStudy {
    * @throws CancellationException if this thread is interrupted
    */
   public void run(Listener listener) throws IOException {
-    List<GcCase> left = new ArrayList<>();
-    for (GcCase each : cases) {
+    List<Fork> left = new ArrayList<>();
+    for (Fork each : all()) {
       if (!isDone(each)) {
         left.add(each);
       }
     }
     for (int n = 0; n < left.size(); n++) {
-      GcCase each = left.get(n);
+      GcCase each = left.get(n).of();
       long smallest = smallestHeap(each, listener, n + 1, left.size());
-      listener.runs(title(each), n + 1, left.size());
-      files.write(run(each, heapBytes(smallest, each.heapFactor())));
+      listener.runs(title(left.get(n)), n + 1, left.size());
+      Forks.Outcome ended = run(each, heapBytes(smallest, each.heapFactor()));
+      files.write(new GcRow(each, ended.why(), ended.figures(), left.get(n).fork(), origin(each)));
     }
   }
 
-  private boolean isDone(GcCase run) throws IOException {
-    Optional<GcRow> row = files.row(run);
+  private boolean isDone(Fork run) throws IOException {
+    Optional<GcRow> row = files.row(run.of(), run.fork());
     return row.isPresent()
+        && row.get().origin().equals(origin(run.of()))
         && row.get()
             .figures()
             .map(
@@ -104,13 +160,13 @@ public final class GcStudy {
 
   private long smallestHeap(GcCase run, Listener listener, int number, int of) throws IOException {
     Optional<SmallestHeap> known = files.smallestHeap(run.workload(), run.scratchBytes());
-    if (known.isPresent()) {
+    if (known.isPresent() && known.get().build().equals(build)) {
       return known.get().bytes();
     }
     listener.runs(
         "smallest heap of " + run.workload() + ", " + scratch(run.scratchBytes()), number, of);
     SmallestHeap found =
-        new HeapSearch(forks, jdks.get(0), CLOSE).find(run.workload(), run.scratchBytes());
+        new HeapSearch(forks, jdks.get(0), CLOSE, build).find(run.workload(), run.scratchBytes());
     files.write(found);
     return found.bytes();
   }
@@ -120,16 +176,15 @@ public final class GcStudy {
     return 2 * MIB * Math.round(factor * smallest / (2 * MIB));
   }
 
-  private GcRow run(GcCase run, long heapBytes) throws IOException {
-    Jdk jdk =
-        jdks.stream().filter(each -> each.version().equals(run.java())).findFirst().orElseThrow();
+  private Forks.Outcome run(GcCase run, long heapBytes) throws IOException {
     double warmUp = run.workload() == Workload.SPH ? WARM_UP_SPH : WARM_UP;
     double patience = PATIENCE + PATIENCE_FACTOR * (warmUp + seconds);
-    return forks.run(run, jdk, heapBytes, warmUp, seconds, patience);
+    return forks.run(run, jdk(run), heapBytes, warmUp, seconds, patience);
   }
 
-  private static String title(GcCase run) {
-    return "Java "
+  private String title(Fork fork) {
+    GcCase run = fork.of();
+    return (repeats > 1 ? "round " + fork.fork() + ", Java " : "Java ")
         + run.java()
         + ", "
         + run.collector().title()

@@ -14,17 +14,20 @@ final class HeapSearch {
   private final Forks forks;
   private final Jdk jdk;
   private final double close;
+  private final String build;
 
   /**
    * Says how to look.
    *
    * @param jdk whose JVM runs
    * @param close how many times the largest heap found too small the result may be; above 1
+   * @param build hash of the code that runs
    */
-  HeapSearch(Forks forks, Jdk jdk, double close) {
+  HeapSearch(Forks forks, Jdk jdk, double close, String build) {
     this.forks = forks;
     this.jdk = jdk;
     this.close = close;
+    this.build = build;
   }
 
   /**
@@ -38,14 +41,14 @@ final class HeapSearch {
             jdk.version(), Collector.SERIAL, ScratchPolicy.PER_CELL, workload, scratchBytes, 1);
     long tooSmall = LEAST;
     long enough = FIRST;
-    GcRow row = run(what, enough);
-    while (row.figures().isEmpty()) {
+    Forks.Outcome ended = run(what, enough);
+    while (ended.figures().isEmpty()) {
       tooSmall = enough;
       enough *= 2;
       if (enough > MOST) {
-        throw new IOException("workload must run in some heap: case=" + what + ", " + row.why());
+        throw new IOException("workload must run in some heap: case=" + what + ", " + ended.why());
       }
-      row = run(what, enough);
+      ended = run(what, enough);
     }
     while (enough - tooSmall > 1 && enough > close * tooSmall) {
       long middle = (enough + tooSmall) / 2;
@@ -55,10 +58,10 @@ final class HeapSearch {
         tooSmall = middle;
       }
     }
-    return new SmallestHeap(workload, scratchBytes, jdk.version(), enough * MIB);
+    return new SmallestHeap(workload, scratchBytes, jdk.version(), enough * MIB, build);
   }
 
-  private GcRow run(GcCase what, long mebibytes) throws IOException {
+  private Forks.Outcome run(GcCase what, long mebibytes) throws IOException {
     return forks.run(what, jdk, mebibytes * MIB, 0, SECONDS, PATIENCE);
   }
 }

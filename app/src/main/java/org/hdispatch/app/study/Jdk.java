@@ -22,7 +22,8 @@ import java.util.regex.Pattern;
  */
 public record Jdk(Path home, String version) {
   private static final int OLDEST = 17;
-  private static final Pattern VERSION = Pattern.compile("(?m)^JAVA_VERSION=\"([^\"]+)\"");
+  private static final String UNKNOWN = "unknown";
+  private static final String RELEASE = "release"; // a file of keys and values
 
   /** The one that this program runs on. */
   public static Jdk running() {
@@ -39,11 +40,22 @@ public record Jdk(Path home, String version) {
       return Optional.empty();
     }
     try {
-      Matcher version = VERSION.matcher(Files.readString(home.resolve("release")));
-      return version.find()
-          ? Optional.of(new Jdk(home, version.group(1))).filter(jdk -> jdk.feature() >= OLDEST)
-          : Optional.empty();
-    } catch (IOException | IllegalArgumentException e) { // no file of that name, or no version
+      return released(home, "JAVA_VERSION")
+          .map(version -> new Jdk(home, version))
+          .filter(jdk -> jdk.feature() >= OLDEST);
+    } catch (IllegalArgumentException e) { // no version
+      return Optional.empty();
+    }
+  }
+
+  /** What the file of a release says of itself. */
+  private static Optional<String> released(Path home, String key) {
+    try {
+      Matcher line =
+          Pattern.compile("(?m)^" + key + "=\"([^\"]+)\"")
+              .matcher(Files.readString(home.resolve(RELEASE)));
+      return line.find() ? Optional.of(line.group(1)) : Optional.empty();
+    } catch (IOException e) { // no file of that name
       return Optional.empty();
     }
   }
@@ -95,6 +107,16 @@ public record Jdk(Path home, String version) {
   /** Feature release, such as 17. */
   public int feature() {
     return Runtime.Version.parse(version).feature();
+  }
+
+  /** Who made it. */
+  String vendor() {
+    return released(home, "IMPLEMENTOR").orElse(UNKNOWN);
+  }
+
+  /** Its version in full, such as {@code 17.0.15+6-Debian-1deb12u1}. */
+  String runtime() {
+    return released(home, "JAVA_RUNTIME_VERSION").orElse(version);
   }
 
   /** Its launcher. */

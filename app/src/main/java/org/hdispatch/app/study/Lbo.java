@@ -67,11 +67,15 @@ public final class Lbo {
    * @return at least 1; empty if the row has no figures, or is not among those
    */
   public OptionalDouble cost(GcRow row) {
-    OptionalDouble baseline = baselineSeconds(row.of());
-    if (row.figures().isEmpty() || baseline.isEmpty()) {
+    return row.figures().isEmpty() ? OptionalDouble.empty() : cost(row.of(), row.figures().get());
+  }
+
+  /** The same of figures, as in a row. */
+  public OptionalDouble cost(GcCase run, GcFigures figures) {
+    OptionalDouble baseline = baselineSeconds(run);
+    if (baseline.isEmpty()) {
       return OptionalDouble.empty();
     }
-    GcFigures figures = row.figures().get();
     double all = figures.workerCpuSeconds() + figures.otherCpuSeconds();
     return OptionalDouble.of(all / figures.steps() / baseline.getAsDouble());
   }

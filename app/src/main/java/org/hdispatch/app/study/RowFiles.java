@@ -54,23 +54,23 @@ public final class RowFiles {
         }
       }
     }
-    rows.sort(Comparator.comparing(GcRow::of, ORDER));
+    rows.sort(Comparator.comparing(GcRow::of, ORDER).thenComparing(GcRow::fork));
     return List.copyOf(rows);
   }
 
-  /** The row of a case, if it is there. */
-  Optional<GcRow> row(GcCase of) throws IOException {
-    Path file = file(of);
+  /** The row of a run of a case, if it is there. */
+  Optional<GcRow> row(GcCase of, int fork) throws IOException {
+    Path file = file(of, fork);
     return Files.exists(file) ? Optional.of(read(GcRow.class, file)) : Optional.empty();
   }
 
   /**
-   * Keeps a row, in place of the one of the same case.
+   * Keeps a row, in place of the one of the same run.
    *
    * @throws IOException if it cannot be written; nothing is left then
    */
   public void write(GcRow row) throws IOException {
-    write(file(row.of()), RecordJson.write(row));
+    write(file(row.of(), row.fork()), RecordJson.write(row));
   }
 
   /**
@@ -101,17 +101,18 @@ public final class RowFiles {
     return folder.resolve("heaps").resolve(workload + "-" + scratchBytes + JSON);
   }
 
-  private Path file(GcCase of) {
+  private Path file(GcCase of, int fork) {
     String name =
         String.format(
             Locale.ROOT,
-            "%s-%s-%s-%s-%d-%s",
+            "%s-%s-%s-%s-%d-%s-%d",
             of.java(),
             of.collector(),
             of.policy(),
             of.workload(),
             of.scratchBytes(),
-            of.heapFactor());
+            of.heapFactor(),
+            fork);
     return folder.resolve(ROWS).resolve(name + JSON);
   }
 

@@ -7,5 +7,7 @@ package org.hdispatch.app.study;
  * @param scratchBytes size of a scratch
  * @param java version of the JVM it was found with
  * @param bytes {@code -Xms} and {@code -Xmx}
+ * @param build hash of the code that ran
  */
-public record SmallestHeap(Workload workload, int scratchBytes, String java, long bytes) {}
+public record SmallestHeap(
+    Workload workload, int scratchBytes, String java, long bytes, String build) {}

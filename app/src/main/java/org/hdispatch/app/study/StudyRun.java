@@ -89,7 +89,9 @@ public final class StudyRun {
     long[] bytesAfter = new long[ids.length];
     Map<Long, Long> cpuBefore = cpu(ids);
     meter.read(bytesAfter); // loads what it needs
+    CollectorCpu.nanos();
     watch.mark();
+    long collectorBefore = CollectorCpu.nanos();
     cpuBefore = cpu(ids);
     long processBefore = process.getProcessCpuTime();
     meter.read(bytesBefore);
@@ -99,6 +101,7 @@ public final class StudyRun {
     meter.read(bytesAfter);
     long processAfter = process.getProcessCpuTime();
     Map<Long, Long> cpuAfter = cpu(stepper.threads());
+    long collectorAfter = CollectorCpu.nanos();
     watch.mark();
     long used = ManagementFactory.getMemoryMXBean().getHeapMemoryUsage().getUsed();
     List<GcReport> windows = watch.stop();
@@ -125,6 +128,7 @@ public final class StudyRun {
         NANO * (end - begin),
         workerCpu,
         Math.max(0, otherCpu), // the process is counted in ticks of 10 ms
+        collectorAfter < 0 ? -1 : NANO * (collectorAfter - collectorBefore),
         report.collections(),
         stops(report.pauses()),
         stops(report.safepoints()),

@@ -22,7 +22,8 @@ class ForksTest {
   void smallestHeapIsSomewhatMoreThanWhatLives() throws IOException {
     Forks forks = new Forks(folder, 2);
     SmallestHeap heap =
-        new HeapSearch(forks, Jdk.running(), 1.3).find(Workload.BANDWIDTH, StudyScope.STANDARD);
+        new HeapSearch(forks, Jdk.running(), 1.3, "c0de")
+            .find(Workload.BANDWIDTH, StudyScope.STANDARD);
     assertEquals(Workload.BANDWIDTH, heap.workload());
     assertEquals(Jdk.running().version(), heap.java());
     long live = 1000L * StudyScope.STANDARD;
@@ -32,7 +33,7 @@ class ForksTest {
 
   @Test
   void jvmThatTakesTooLongIsEnded() throws IOException {
-    GcRow row =
+    Forks.Outcome ended =
         new Forks(folder, 2)
             .run(
                 new GcCase(
@@ -47,8 +48,8 @@ class ForksTest {
                 60,
                 60,
                 0.5);
-    assertEquals("no end within 1 s", row.why());
-    assertTrue(row.figures().isEmpty());
+    assertEquals("no end within 1 s", ended.why());
+    assertTrue(ended.figures().isEmpty());
   }
 
   @Test

@@ -1,18 +1,42 @@
 package org.hdispatch.app.study;
 
+import java.io.IOException;
 import java.util.List;
 import java.util.Optional;
 
 /** Rows as a study makes them, for tests. */
 public final class GcRows {
+  public static final GcOrigin ORIGIN =
+      new GcOrigin("Maker", "17.0.15+6", "processor of 2 GHz", 2, 8, "Linux 6, amd64", "c0de");
+
   private GcRows() {}
+
+  /** A first run. */
+  public static GcRow first(GcCase of, String why, Optional<GcFigures> figures) {
+    return new GcRow(of, why, figures, 1, ORIGIN);
+  }
+
+  /** The same row, as if it had been made by another run of its case. */
+  public static GcRow again(GcRow row, int fork) {
+    return new GcRow(row.of(), row.why(), row.figures(), fork, row.origin());
+  }
+
+  /** The same row, made elsewhere. */
+  public static GcRow by(GcRow row, GcOrigin origin) {
+    return new GcRow(row.of(), row.why(), row.figures(), row.fork(), origin);
+  }
+
+  /** That of rows which this code makes now. */
+  public static GcOrigin here(Jdk jdk) throws IOException {
+    return GcOrigin.of(jdk, CodeHash.of(ChildJvm.classPath()));
+  }
 
   public static GcCase run(Collector collector, ScratchPolicy policy, double heapFactor) {
     return new GcCase("17.0.15", collector, policy, Workload.COMPUTE, 1 << 16, heapFactor);
   }
 
   public static GcRow died(GcCase run, String why) {
-    return new GcRow(run, why, Optional.empty());
+    return first(run, why, Optional.empty());
   }
 
   /** A run of 100 steps and these processor times. */
@@ -23,7 +47,7 @@ public final class GcRows {
     GcFigures.StepTimes times =
         new GcFigures.StepTimes(
             10_000, 12_000, -1, 12_000, List.of(11_000.0, 13_000.0), List.of(90L, 10L));
-    return new GcRow(
+    return first(
         run,
         "",
         Optional.of(
@@ -36,6 +60,7 @@ public final class GcRows {
                 1.0,
                 workerCpuSeconds,
                 otherCpuSeconds,
+                0.5 * otherCpuSeconds,
                 2,
                 pauses,
                 stopped,

@@ -2,11 +2,13 @@ package org.hdispatch.app.study.page;
 
 import java.util.ArrayList;
 import java.util.List;
+import java.util.function.Function;
 import java.util.function.ToDoubleFunction;
 import java.util.stream.Collectors;
 import org.hdispatch.app.draw.StudyPage;
 import org.hdispatch.app.study.Collector;
 import org.hdispatch.app.study.GcFigures;
+import org.hdispatch.app.study.GcOrigin;
 import org.hdispatch.app.study.GcRow;
 import org.hdispatch.app.study.ScratchPolicy;
 import org.hdispatch.app.study.page.GcRuns.Setting;
@@ -36,14 +38,13 @@ public final class GcPage {
    *
    * @param rows of a study, at least one
    * @param command that repeats the study
-   * @param machine where it ran, in words
    * @param files beside the page that hold the same figures
    */
-  public static String html(List<GcRow> rows, String command, String machine, List<String> files) {
-    return new GcPage(rows).page(command, machine, files);
+  public static String html(List<GcRow> rows, String command, List<String> files) {
+    return new GcPage(rows).page(command, files);
   }
 
-  private String page(String command, String machine, List<String> files) {
+  private String page(String command, List<String> files) {
     StudyPage page = new StudyPage("What enduring scratch is worth", lead());
     page.section("Verdict")
         .verdict(GcVerdict.sentences(runs.rows()).stream().map(GcPage::micro).toList());
@@ -74,7 +75,7 @@ public final class GcPage {
     }
     others(page);
     tables(page);
-    page.section("How it was measured").points(method(machine));
+    page.section("How it was measured").points(method());
     page.section("Do it again").command(command).files(files);
     page.section("Sources").points(SOURCES);
     return page.toString();
@@ -96,12 +97,16 @@ public final class GcPage {
   }
 
   private String lead() {
+    String repeats =
+        runs.repeats().getMax() == 1 ? "" : ", " + runs.repeatsInWords() + " of each case";
     return "Scratch kept by enduring threads against scratch made anew, with "
         + collectors()
         + " of Java "
         + String.join(" and ", runs.javas())
         + ": "
-        + (runs.rows().size() == 1 ? "one run." : runs.rows().size() + " runs.");
+        + (runs.rows().size() == 1 ? "one run" : runs.rows().size() + " runs")
+        + repeats
+        + ".";
   }
 
   private String collectors() {
@@ -137,14 +142,28 @@ public final class GcPage {
     }
   }
 
-  private List<String> method(String machine) {
+  private List<String> method() {
     List<GcFigures> all = runs.runs().stream().map(GcRuns.Run::figures).toList();
     List<String> points = new ArrayList<>();
-    points.add("Machine: " + machine + ".");
+    points.add("Machine: " + all(GcOrigin::machine) + ".");
+    points.add(
+        "JVM: "
+            + all(GcOrigin::jvm)
+            + ". Hash of the code that ran: "
+            + all(GcOrigin::build)
+            + ".");
     points.add(
         "Every row is a JVM of its own, with a heap of fixed size that is touched before anything"
-            + " is measured. One JVM a case: what the same work takes more from run to run stands in"
-            + " the verdict, and smaller differences mean nothing.");
+            + " is measured. "
+            + (runs.repeats().getMax() == 1
+                ? "One JVM a case: what the same work takes more from run to run stands in the"
+                    + " verdict, and smaller differences mean nothing."
+                : "JVMs a case: "
+                    + runs.repeatsInWords()
+                    + ", in rounds over all cases, so that what is compared lies close together in"
+                    + " time. A ratio is that of two runs of one round; of several the median is"
+                    + " said. Whatever else is said or drawn of a case is of its run with the median"
+                    + " CPU, of an even number the lower of the two in the middle."));
     points.add(
         "Scratch: what the method needs, and an array beside it that brings it up to the size and is"
             + " written through once for each cell and pass. Thread-local scratch goes with a task"
@@ -167,8 +186,9 @@ public final class GcPage {
     points.add(
         "CPU: processor time of the threads, from the operating system; workers' is that of the"
             + " threads that step, others' that of the process without them: the collector's, the"
-            + " compilers' and the flight recorder's, in ticks of 10 ms; enduring runs show how much"
-            + " of it is there without any collection. Work that a collector leaves to the workers (barriers,"
+            + " compilers' and the flight recorder's, in ticks of 10 ms. Linux tells what the"
+            + " collector's threads take of it, the VM thread among them; elsewhere that is not known,"
+            + " and enduring runs show how much of it is there without any collection. Work that a collector leaves to the workers (barriers,"
             + " slow allocation, moving an object on first use) counts as theirs. Over enduring: CPU"
             + " per cell over that with enduring scratch on the same JVM, collector and heap.");
     points.add(
@@ -192,6 +212,14 @@ public final class GcPage {
         "Bytes: allocated by the worst worker, as the JVM counts them for each thread. Peak heap:"
             + " as seen at collections and at the end, so not what was in use between them.");
     return points;
+  }
+
+  /** What rows were made with, each once. */
+  private String all(Function<GcOrigin, String> what) {
+    return runs.rows().stream()
+        .map(row -> what.apply(row.origin()))
+        .distinct()
+        .collect(Collectors.joining("; "));
   }
 
   private static String span(List<GcFigures> all, ToDoubleFunction<GcFigures> what) {

@@ -49,6 +49,16 @@ final class GcPhrases {
     return (least.equals(most) ? least : least + " to " + most) + " times";
   }
 
+  /** What ways to keep scratch take over enduring scratch; medians, and single runs too. */
+  static String costs(List<Pair> pairs) {
+    double least = pairs.stream().mapToDouble(Pair::leastRatio).min().orElseThrow();
+    double most = pairs.stream().mapToDouble(Pair::mostRatio).max().orElseThrow();
+    return times(pairs, Pair::ratio)
+        + (pairs.stream().allMatch(pair -> pair.rounds().size() == 1)
+            ? ""
+            : " (single runs " + Numbers.ratio(least) + " to " + Numbers.ratio(most) + ")");
+  }
+
   /** Who is least and most; who it is, if it is but one. */
   <T extends Measured> String extremes(List<T> all, ToDoubleFunction<T> what) {
     if (all.size() == 1) {

@@ -1,13 +1,14 @@
 package org.hdispatch.app.study.page;
 
 import java.util.ArrayList;
+import java.util.Comparator;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.OptionalDouble;
+import java.util.function.ToDoubleFunction;
 import org.hdispatch.app.study.GcCase;
-import org.hdispatch.app.study.GcRow;
 import org.hdispatch.app.study.Lbo;
 import org.hdispatch.app.study.ScratchPolicy;
 import org.hdispatch.app.study.page.GcRuns.Pair;
@@ -54,11 +55,11 @@ final class GcPriceVerdict {
               ? "Scratch made anew for every cell ("
                   + setting.name()
                   + ") costs "
-                  + GcPhrases.times(pairs, Pair::ratio)
+                  + GcPhrases.costs(pairs)
                   + " the CPU of enduring scratch"
                   + GcPhrases.inHeap(heap)
                   + " the smallest that runs"
-              : "It costs " + GcPhrases.times(pairs, Pair::ratio) + GcPhrases.inHeap(heap);
+              : "It costs " + GcPhrases.costs(pairs) + GcPhrases.inHeap(heap);
       said.add(cost + phrases.extremes(pairs, Pair::ratio) + "." + expected(heap, pairs));
     }
     if (!heaps.isEmpty()) {
@@ -111,14 +112,17 @@ final class GcPriceVerdict {
   /** Whether the workers or the collector pay. */
   private Optional<String> division() {
     List<String> shares = new ArrayList<>();
+    List<String> collectors = new ArrayList<>();
     double roomy = 0;
     for (double heap : heaps) {
       double extra = perCell(heap).stream().mapToDouble(Pair::extra).sum();
       if (extra > 0) {
-        double workers = perCell(heap).stream().mapToDouble(Pair::extraOfWorkers).sum();
-        double share = Math.max(0, Math.min(1, workers / extra));
+        double share = share(heap, Pair::extraOfWorkers);
         roomy = heap == heaps.get(0) ? share : roomy;
-        shares.add(Math.round(100 * share) + " %" + GcPhrases.inHeap(heap));
+        shares.add(percent(share, heap));
+        if (perCell(heap).stream().allMatch(Pair::knowsCollector)) {
+          collectors.add(percent(share(heap, Pair::extraOfCollector), heap));
+        }
       }
     }
     return shares.isEmpty()
@@ -126,12 +130,26 @@ final class GcPriceVerdict {
         : Optional.of(
             "Of what this costs, over all collectors, the workers themselves spend "
                 + String.join(" and ", shares)
-                + "; the rest is other threads', the collector's above all."
+                + (collectors.size() < shares.size()
+                    ? "; the rest is other threads', the collector's above all."
+                    : ", the collector's threads "
+                        + String.join(" and ", collectors)
+                        + "; the rest is the compilers' and the recorder's.")
                 + (roomy > 0.5
                     ? " So with room in the heap most of the price is paid by the threads that step:"
                         + " they zero each new scratch, stream it through their caches, and pass the"
                         + " collector's barriers, which is not told apart here."
                     : ""));
+  }
+
+  /** Part of what scratch per cell costs more, over all collectors. */
+  private double share(double heap, ToDoubleFunction<Pair> part) {
+    double extra = perCell(heap).stream().mapToDouble(Pair::extra).sum();
+    return Math.max(0, Math.min(1, perCell(heap).stream().mapToDouble(part).sum() / extra));
+  }
+
+  private static String percent(double share, double heap) {
+    return Math.round(100 * share) + " %" + GcPhrases.inHeap(heap);
   }
 
   /** What other ways to keep scratch cost, that should be nearly as cheap. */
@@ -149,7 +167,7 @@ final class GcPriceVerdict {
           List<Pair> pairs = runs.pairs(setting, policy);
           if (!pairs.isEmpty()) {
             all.addAll(pairs);
-            String cost = GcPhrases.times(pairs, Pair::ratio);
+            String cost = GcPhrases.costs(pairs);
             said.add(name + ", " + cost + GcPhrases.allocated(pairs));
           }
         });
@@ -186,17 +204,46 @@ final class GcPriceVerdict {
             .toList());
   }
 
-  /** How much the same work takes more in one run than in another. */
+  /** How often each case was run, and how much the same work takes more in one than in another. */
   Optional<String> noise() {
+    if (heaps.isEmpty()) {
+      return Optional.empty();
+    }
     double noise = runs.noise(setting);
-    return noise == 1
-        ? Optional.empty()
-        : Optional.of(
-            "What these ratios can tell: the same work with enduring scratch, on the same JVM and"
-                + " collector, without any collection, took up to "
+    boolean once = runs.repeats().getMax() == 1;
+    String known =
+        noise == 1
+            ? ""
+            : " The same work with enduring scratch, on the same JVM and collector, without any"
+                + " collection, took up to "
                 + Numbers.ratio(noise)
-                + " times as much CPU in one run as in another. Ratios closer to 1 mean nothing,"
-                + " and who is least or most may be chance.");
+                + " times as much CPU in one "
+                + (once ? "run" : "median")
+                + " as in another: ratios closer to 1 mean nothing, and who is least or most may be"
+                + " chance.";
+    return Optional.of(
+        "What these ratios can tell: "
+            + (once ? "each case was run once." : "they are medians of " + spread())
+            + known);
+  }
+
+  /** Of how many runs, and how far these lie apart. */
+  private String spread() {
+    List<Pair> pairs = heaps.stream().flatMap(heap -> perCell(heap).stream()).toList();
+    Pair widest =
+        pairs.stream()
+            .max(Comparator.comparingDouble(pair -> pair.mostRatio() / pair.leastRatio()))
+            .orElseThrow();
+    return runs.repeatsInWords()
+        + " runs of each case, in rounds over all cases; from round to round a ratio per cell"
+        + " differs most with "
+        + runs.name(widest.of())
+        + GcPhrases.inHeap(widest.of().heapFactor())
+        + ", "
+        + Numbers.ratio(widest.leastRatio())
+        + " to "
+        + Numbers.ratio(widest.mostRatio())
+        + ".";
   }
 
   /** What a ThreadLocal costs where each cell has a virtual thread. */
@@ -219,12 +266,10 @@ final class GcPriceVerdict {
                             .orElse(true));
     return Optional.of(
         "A ThreadLocal of virtual threads, one for each cell, costs "
-            + GcPhrases.times(pairs, Pair::ratio)
+            + GcPhrases.costs(pairs)
             + " the CPU of enduring scratch"
             + GcPhrases.allocated(pairs)
-            + (beside.isEmpty()
-                ? ""
-                : ", where scratch per cell costs " + GcPhrases.times(beside, Pair::ratio))
+            + (beside.isEmpty() ? "" : ", where scratch per cell costs " + GcPhrases.costs(beside))
             + (noBetter ? ": it is scratch per cell by another name." : "."));
   }
 
@@ -253,7 +298,7 @@ final class GcPriceVerdict {
 
   private List<Double> costs(Lbo lbo, ScratchPolicy policy) {
     return runs.runs(setting, policy).stream()
-        .map(run -> lbo.cost(new GcRow(run.of(), "", Optional.of(run.figures()))))
+        .map(run -> lbo.cost(run.of(), run.figures()))
         .filter(OptionalDouble::isPresent)
         .map(OptionalDouble::getAsDouble)
         .toList();

@@ -2,10 +2,13 @@ package org.hdispatch.app.study.page;
 
 import java.util.ArrayList;
 import java.util.Comparator;
+import java.util.IntSummaryStatistics;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import java.util.function.ToDoubleFunction;
+import java.util.stream.Collectors;
 import java.util.stream.Stream;
 import org.hdispatch.app.study.Collector;
 import org.hdispatch.app.study.GcCase;
@@ -24,7 +27,7 @@ import org.hdispatch.app.text.Numbers;
  */
 final class GcRuns {
   private final List<GcRow> rows;
-  private final Map<GcCase, Run> runs = new LinkedHashMap<>();
+  private final Map<GcCase, List<Run>> runs = new LinkedHashMap<>(); // by the number of the run
 
   /**
    * The work that runs must share to be compared.
@@ -53,9 +56,10 @@ final class GcRuns {
    * A run that was measured.
    *
    * @param of what was run
+   * @param fork which run of it
    * @param figures of at least one step
    */
-  record Run(GcCase of, GcFigures figures) implements Measured {
+  record Run(GcCase of, int fork, GcFigures figures) implements Measured {
     /** Processor time of the threads that stepped, us per cell. */
     double workers() {
       return perCell(figures.workerCpuSeconds());
@@ -64,6 +68,11 @@ final class GcRuns {
     /** Processor time of all other threads, us per cell. */
     double others() {
       return perCell(figures.otherCpuSeconds());
+    }
+
+    /** The collector's part of that; negative if it is not known. */
+    double collector() {
+      return figures.collectorCpuSeconds() < 0 ? -1 : perCell(figures.collectorCpuSeconds());
     }
 
     /** Processor time of all threads, us per cell. */
@@ -92,30 +101,15 @@ final class GcRuns {
   }
 
   /**
-   * Two runs that differ in who keeps the scratch.
+   * Two runs of one round that differ in who keeps the scratch.
    *
    * @param enduring with enduring scratch
    * @param other with another
    */
-  record Pair(Run enduring, Run other) implements Measured {
-    @Override
-    public GcCase of() {
-      return other.of();
-    }
-
+  record Round(Run enduring, Run other) {
     /** Processor time over that with enduring scratch. */
     double ratio() {
       return other.cpu() / enduring.cpu();
-    }
-
-    /** What the other one takes more, us of processor time per cell. */
-    double extra() {
-      return other.cpu() - enduring.cpu();
-    }
-
-    /** The workers' part of that. */
-    double extraOfWorkers() {
-      return other.workers() - enduring.workers();
     }
 
     /** 90th percentile of the step time over that with enduring scratch. */
@@ -124,26 +118,96 @@ final class GcRuns {
     }
   }
 
-  /** Of several rows of one case, the one with the median processor time stands for it. */
+  /**
+   * Two cases that differ in who keeps the scratch. What is said of them is the median over the
+   * rounds in which both were measured.
+   *
+   * @param enduring the run that stands for enduring scratch
+   * @param other the run that stands for another
+   * @param rounds at least one
+   */
+  record Pair(Run enduring, Run other, List<Round> rounds) implements Measured {
+    @Override
+    public GcCase of() {
+      return other.of();
+    }
+
+    private double[] sorted(ToDoubleFunction<Round> what) {
+      return rounds.stream().mapToDouble(what).sorted().toArray();
+    }
+
+    private double median(ToDoubleFunction<Round> what) {
+      double[] sorted = sorted(what);
+      return 0.5 * (sorted[(sorted.length - 1) / 2] + sorted[sorted.length / 2]);
+    }
+
+    /** Processor time over that with enduring scratch. */
+    double ratio() {
+      return median(Round::ratio);
+    }
+
+    /** The least of these in any round. */
+    double leastRatio() {
+      return sorted(Round::ratio)[0];
+    }
+
+    /** The most of these in any round. */
+    double mostRatio() {
+      return sorted(Round::ratio)[rounds.size() - 1];
+    }
+
+    /** What the other one takes more, us of processor time per cell. */
+    double extra() {
+      return median(round -> round.other().cpu() - round.enduring().cpu());
+    }
+
+    /** The workers' part of that. */
+    double extraOfWorkers() {
+      return median(round -> round.other().workers() - round.enduring().workers());
+    }
+
+    /** Whether the operating system tells what the collector took. */
+    boolean knowsCollector() {
+      return rounds.stream()
+          .allMatch(round -> round.other().collector() >= 0 && round.enduring().collector() >= 0);
+    }
+
+    /** The collector's part of that. */
+    double extraOfCollector() {
+      return median(round -> round.other().collector() - round.enduring().collector());
+    }
+
+    /** 90th percentile of the step time over that with enduring scratch. */
+    double tailRatio() {
+      return median(Round::tailRatio);
+    }
+  }
+
+  /** Takes rows in any order. */
   GcRuns(List<GcRow> rows) {
     this.rows = List.copyOf(rows);
-    Map<GcCase, List<Run>> measured = new LinkedHashMap<>();
     for (GcRow row : rows) {
-      run(row)
-          .ifPresent(run -> measured.computeIfAbsent(row.of(), of -> new ArrayList<>()).add(run));
+      run(row).ifPresent(run -> runs.computeIfAbsent(row.of(), of -> new ArrayList<>()).add(run));
     }
-    measured.forEach(
-        (of, several) -> {
-          several.sort(Comparator.comparingDouble(Run::cpu));
-          runs.put(of, several.get((several.size() - 1) / 2));
-        });
+    runs.values().forEach(several -> several.sort(Comparator.comparingInt(Run::fork)));
+  }
+
+  /**
+   * The run that stands for a case: of the median processor time, the lower of two in the middle.
+   */
+  private static Run median(List<Run> several) {
+    return several.stream()
+        .sorted(Comparator.comparingDouble(Run::cpu))
+        .skip((several.size() - 1) / 2)
+        .findFirst()
+        .orElseThrow();
   }
 
   /** What was measured, if anything was: a row without a step says nothing. */
   static Optional<Run> run(GcRow row) {
     return row.figures()
         .filter(figures -> figures.steps() > 0 && figures.cells() > 0 && figures.seconds() > 0)
-        .map(figures -> new Run(row.of(), figures));
+        .map(figures -> new Run(row.of(), row.fork(), figures));
   }
 
   /** Why a row has no figures. */
@@ -163,12 +227,35 @@ final class GcRuns {
 
   /** What was measured, a run for each case. */
   List<Run> runs() {
-    return List.copyOf(runs.values());
+    return runs.values().stream().map(GcRuns::median).toList();
   }
 
-  /** What was measured in this case, if anything. */
+  /** All that was measured. */
+  List<Run> singles() {
+    return runs.values().stream().flatMap(List::stream).toList();
+  }
+
+  /** How often cases were run: fewest and most runs of any. */
+  IntSummaryStatistics repeats() {
+    return rows.stream()
+        .collect(Collectors.groupingBy(GcRow::of, Collectors.counting()))
+        .values()
+        .stream()
+        .mapToInt(Math::toIntExact)
+        .summaryStatistics();
+  }
+
+  /** How often cases were run, in words. */
+  String repeatsInWords() {
+    IntSummaryStatistics repeats = repeats();
+    return repeats.getMin() == repeats.getMax()
+        ? Integer.toString(repeats.getMax())
+        : repeats.getMin() + " to " + repeats.getMax();
+  }
+
+  /** What was measured in this case, if anything: the run that stands for it. */
   Optional<Run> run(GcCase of) {
-    return Optional.ofNullable(runs.get(of));
+    return Optional.ofNullable(runs.get(of)).map(GcRuns::median);
   }
 
   /** Versions of the JVM, in the order of the rows. */
@@ -203,9 +290,9 @@ final class GcRuns {
   }
 
   /**
-   * How much the same work differs from run to run: the largest ratio of two runs with enduring
-   * scratch on one JVM and collector. Where nothing is collected, the size of the heap is no reason
-   * to differ. 1 if there are no two such runs.
+   * How much the same work differs: the largest ratio of two cases with enduring scratch on one JVM
+   * and collector. Where nothing is collected, the size of the heap is no reason to differ. 1 if
+   * there are no two such cases.
    */
   double noise(Setting setting) {
     double noise = 1;
@@ -245,23 +332,36 @@ final class GcRuns {
 
   /** Runs of a policy in a setting, in the order of the rows. */
   List<Run> runs(Setting setting, ScratchPolicy policy) {
-    return runs.values().stream()
+    return runs().stream()
         .filter(run -> run.of().policy() == policy && Setting.of(run.of()).equals(setting))
         .toList();
   }
 
-  /** The run of the same case with enduring scratch. */
+  /** The same case with enduring scratch. */
+  private static GcCase enduring(GcCase of) {
+    return new GcCase(
+        of.java(),
+        of.collector(),
+        ScratchPolicy.ENDURING,
+        of.workload(),
+        of.scratchBytes(),
+        of.heapFactor());
+  }
+
+  /** The run of the same case with enduring scratch in the same round. */
+  Optional<Round> round(Run run) {
+    return runs.getOrDefault(enduring(run.of()), List.of()).stream()
+        .filter(base -> base.fork() == run.fork() && base.cpu() > 0)
+        .map(base -> new Round(base, run))
+        .findFirst();
+  }
+
+  /** A case beside the same with enduring scratch. */
   Optional<Pair> pair(Run run) {
-    GcCase of = run.of();
-    GcCase enduring =
-        new GcCase(
-            of.java(),
-            of.collector(),
-            ScratchPolicy.ENDURING,
-            of.workload(),
-            of.scratchBytes(),
-            of.heapFactor());
-    return run(enduring).filter(base -> base.cpu() > 0).map(base -> new Pair(base, run));
+    List<Round> rounds = runs.get(run.of()).stream().flatMap(each -> round(each).stream()).toList();
+    return rounds.isEmpty()
+        ? Optional.empty()
+        : run(enduring(run.of())).map(base -> new Pair(base, run, rounds));
   }
 
   /** Runs of a policy in a setting beside enduring ones, in the order of the rows. */

@@ -8,7 +8,7 @@ import org.hdispatch.app.study.GcFigures;
 import org.hdispatch.app.study.GcFigures.Stops;
 import org.hdispatch.app.study.GcRow;
 import org.hdispatch.app.study.Lbo;
-import org.hdispatch.app.study.page.GcRuns.Pair;
+import org.hdispatch.app.study.page.GcRuns.Round;
 import org.hdispatch.app.study.page.GcRuns.Run;
 import org.hdispatch.app.study.page.GcRuns.Setting;
 import org.hdispatch.app.text.Numbers;
@@ -22,6 +22,7 @@ final class GcTable {
           "steps/s",
           "workers' CPU, us/cell",
           "others' CPU, us/cell",
+          "of it the collector's",
           "over enduring",
           "LBO",
           "collec\u00adtions",
@@ -71,7 +72,11 @@ final class GcTable {
   }
 
   private List<String> row(GcRow row) {
-    String name = row.of().collector().title() + ", " + GcRuns.policy(row.of().policy());
+    String name =
+        row.of().collector().title()
+            + ", "
+            + GcRuns.policy(row.of().policy())
+            + (runs.repeats().getMax() > 1 ? ", run " + row.fork() : "");
     return GcRuns.run(row)
         .map(run -> measured(name, row, run))
         .orElseGet(() -> List.of(name, "no figures: " + GcRuns.why(row)));
@@ -79,13 +84,14 @@ final class GcTable {
 
   private List<String> measured(String name, GcRow row, Run run) {
     GcFigures figures = run.figures();
-    Optional<Pair> pair = runs.pair(run);
+    Optional<Round> round = runs.round(run);
     List<String> cells = new ArrayList<>();
     cells.add(name);
     cells.add(number(figures.steps() / figures.seconds()));
     cells.add(number(run.workers()));
     cells.add(number(run.others()));
-    cells.add(pair.map(each -> Numbers.ratio(each.ratio())).orElse(NONE));
+    cells.add(number(run.collector()));
+    cells.add(round.map(each -> Numbers.ratio(each.ratio())).orElse(NONE));
     cells.add(lbo.cost(row).stream().mapToObj(Numbers::ratio).findFirst().orElse(NONE));
     cells.add(number(figures.collections()));
     cells.addAll(stops(figures.pauses()));

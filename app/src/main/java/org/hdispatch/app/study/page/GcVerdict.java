@@ -55,6 +55,7 @@ public final class GcVerdict {
     enduring().ifPresent(said::add);
     said.addAll(price.perCell());
     price.noise().ifPresent(said::add);
+    origins().ifPresent(said::add);
     Stream.of(
             stops.standstill(),
             stops.stalls(),
@@ -72,7 +73,7 @@ public final class GcVerdict {
 
   private Optional<String> enduring() {
     List<Run> all =
-        runs.runs().stream().filter(run -> run.of().policy() == ScratchPolicy.ENDURING).toList();
+        runs.singles().stream().filter(run -> run.of().policy() == ScratchPolicy.ENDURING).toList();
     if (all.isEmpty()) {
       return Optional.empty();
     }
@@ -104,6 +105,20 @@ public final class GcVerdict {
                     ? " Cells of particles grow when they hold more than ever before, more and more"
                         + " seldom."
                     : ""));
+  }
+
+  /** That rows may differ by what made them. */
+  private Optional<String> origins() {
+    long builds = runs.rows().stream().map(row -> row.origin().build()).distinct().count();
+    long machines = runs.rows().stream().map(row -> row.origin().machine()).distinct().count();
+    return builds == 1 && machines == 1
+        ? Optional.empty()
+        : Optional.of(
+            "These runs are of "
+                + GcRuns.count(builds, "build")
+                + " on "
+                + GcRuns.count(machines, "machine")
+                + ": what differs may differ by that.");
   }
 
   private static <T> String names(List<T> all, Function<T, String> name) {
@@ -176,7 +191,7 @@ public final class GcVerdict {
               setting.name()
                   + GcPhrases.inHeap(heap)
                   + ": "
-                  + GcPhrases.times(pairs, Pair::ratio)
+                  + GcPhrases.costs(pairs)
                   + phrases.extremes(pairs, Pair::ratio));
         }
       }

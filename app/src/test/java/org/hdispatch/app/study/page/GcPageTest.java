@@ -4,6 +4,7 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
 import java.util.stream.IntStream;
@@ -15,6 +16,7 @@ import org.hdispatch.app.study.GcFigures;
 import org.hdispatch.app.study.GcFigures.StepTimes;
 import org.hdispatch.app.study.GcFigures.Stops;
 import org.hdispatch.app.study.GcRow;
+import org.hdispatch.app.study.GcRows;
 import org.hdispatch.app.study.ScratchPolicy;
 import org.junit.jupiter.api.Test;
 import org.w3c.dom.Document;
@@ -26,8 +28,7 @@ class GcPageTest {
 
   /** A page as XML, which says nothing that is no number or not there. */
   private static Document page(List<GcRow> rows) throws Exception {
-    String html =
-        GcPage.html(rows, "./hdispatch gc-study --output a && b", "a machine", List.of("a.csv"));
+    String html = GcPage.html(rows, "./hdispatch gc-study --output a && b", List.of("a.csv"));
     for (String bad : List.of("NaN", "null", "Infinity", "unknown", "Optional")) {
       assertFalse(html.contains(bad), bad);
     }
@@ -91,9 +92,9 @@ class GcPageTest {
             .mapToObj(n -> cells.item(n).getTextContent())
             .toList();
     assertEquals(GcTable.HEAD.size(), texts.size());
-    assertEquals(List.of("39.4", "2.3", "1.53", "1.54", "62", "1.2"), texts.subList(2, 8));
-    assertEquals(List.of("187", "18.7", "21", "126"), texts.subList(10, 14));
-    assertEquals("356 / 396", texts.get(19));
+    assertEquals(List.of("39.4", "2.3", "1.73", "1.53", "1.54", "62", "1.2"), texts.subList(2, 9));
+    assertEquals(List.of("187", "18.7", "21", "126"), texts.subList(11, 15));
+    assertEquals("356 / 396", texts.get(20));
   }
 
   @Test
@@ -146,13 +147,34 @@ class GcPageTest {
   }
 
   @Test
+  void pageOfSeveralRunsHasEachAndSaysHowMany() throws Exception {
+    List<GcRow> rows = new ArrayList<>(some(Collector.G1, GcSamples.OLD));
+    some(Collector.G1, GcSamples.OLD).forEach(row -> rows.add(GcRows.again(row, 2)));
+    Document page = page(rows);
+    assertEquals(rows.size(), runs(page));
+    assertEquals(2, count(page, "td", "G1, per cell, run 2")); // two heaps
+    String text = page.getDocumentElement().getTextContent();
+    assertTrue(text.contains(rows.size() + " runs, 2 of each case."), text);
+    assertTrue(text.contains("JVMs a case: 2, in rounds"), text);
+    assertFalse(text.contains("One JVM a case"), text);
+    assertTrue(page(STUDY).getDocumentElement().getTextContent().contains("One JVM a case"));
+  }
+
+  @Test
+  void pageSaysWhatItsRowsWereMadeWith() throws Exception {
+    String text = page(STUDY).getDocumentElement().getTextContent().replace('\u00a0', ' ');
+    assertTrue(text.contains("Machine: processor of 2 GHz, 2 cores, 8 GiB, Linux 6, amd64."), text);
+    assertTrue(text.contains("JVM: 17.0.15+6 of Maker. Hash of the code that ran: c0de."), text);
+  }
+
+  @Test
   void runWithoutAStepHasNoFigures() throws Exception {
     GcCase of = GcSamples.of(GcSamples.OLD, Collector.G1, ScratchPolicy.PER_CELL, 2);
     Stops none = GcSamples.stops(0, 0, 0);
     StepTimes times = new StepTimes(0, 0, 0, 0, List.of(), List.of());
     GcFigures empty =
-        new GcFigures(1, 1, 2, 9, 0, 0, 0, 0, 0, none, none, 0, none, times, 0, 0, List.of());
-    Document page = page(List.of(new GcRow(of, "", Optional.of(empty))));
+        new GcFigures(1, 1, 2, 9, 0, 0, 0, 0, 0, 0, none, none, 0, none, times, 0, 0, List.of());
+    Document page = page(List.of(GcRows.first(of, "", Optional.of(empty))));
     assertEquals(1, count(page, "td", "no figures: it did not finish a step"));
   }
 }

@@ -11,6 +11,7 @@ import org.hdispatch.app.study.GcFigures.Pause;
 import org.hdispatch.app.study.GcFigures.StepTimes;
 import org.hdispatch.app.study.GcFigures.Stops;
 import org.hdispatch.app.study.GcRow;
+import org.hdispatch.app.study.GcRows;
 import org.hdispatch.app.study.ScratchPolicy;
 import org.hdispatch.app.study.Workload;
 
@@ -35,7 +36,7 @@ final class GcSamples {
   }
 
   static GcRow dead(GcCase of, String why) {
-    return new GcRow(of, why, Optional.empty());
+    return GcRows.first(of, why, Optional.empty());
   }
 
   /** A run that never collects. */
@@ -62,7 +63,7 @@ final class GcSamples {
     long steps = Math.round(2 * SECONDS / (1e-6 * (workers + others) * CELLS));
     double micros = 1e6 * SECONDS / steps;
     boolean calm = collections == 0;
-    return new GcRow(
+    return GcRows.first(
         of,
         "",
         Optional.of(
@@ -75,6 +76,7 @@ final class GcSamples {
                 SECONDS,
                 1e-6 * workers * CELLS * steps,
                 1e-6 * others * CELLS * steps,
+                0.75e-6 * others * CELLS * steps,
                 collections,
                 pauses,
                 stopped,
