@@ -1,5 +1,6 @@
 package org.hdispatch.app;
 
+import java.util.List;
 import org.hdispatch.porous.image.Axis;
 import picocli.CommandLine.Option;
 
@@ -9,11 +10,14 @@ final class AxisOption {
       names = "--axis",
       paramLabel = "AXIS",
       defaultValue = "z",
-      completionCandidates = Choices.OfAxis.class,
-      description = "Direction of the flow: ${COMPLETION-CANDIDATES}.")
-  private Axis axis;
+      completionCandidates = Choices.OfDirection.class,
+      description =
+          "Direction of the flow: ${COMPLETION-CANDIDATES}. With all, one flow along each axis, and"
+              + " the permeability tensor; what flows across an axis needs --sides periodic.")
+  private Direction direction;
 
-  Axis axis() {
-    return axis;
+  /** The axes, one after the other. */
+  List<Axis> axes() {
+    return direction.axes();
   }
 }

@@ -69,6 +69,13 @@ abstract class Choices implements Iterable<String> {
     }
   }
 
+  /** Words for directions of the flow. */
+  static final class OfDirection extends Choices {
+    OfDirection() {
+      super(Direction.values());
+    }
+  }
+
   /** Words for collisions. */
   static final class OfCollision extends Choices {
     OfCollision() {

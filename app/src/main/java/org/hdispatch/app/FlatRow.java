@@ -40,6 +40,15 @@ final class FlatRow {
     return json.toString();
   }
 
+  /** A JSON object of a row that sums up, {@code summary}, and the {@code rows} themselves. */
+  static String toJson(FlatRow summary, List<FlatRow> rows) {
+    return "{\n\"summary\": "
+        + summary.toJson().stripTrailing()
+        + ",\n\"rows\": "
+        + toJson(rows).stripTrailing()
+        + "\n}\n";
+  }
+
   /** One JSON object (RFC 8259); unknown is {@code null}. */
   String toJson() {
     StringJoiner json = new StringJoiner(",\n  ", "{\n  ", "\n}\n");

@@ -1,5 +1,7 @@
 package org.hdispatch.app;
 
+import java.util.ArrayList;
+import java.util.List;
 import java.util.Locale;
 import java.util.OptionalDouble;
 import org.hdispatch.app.text.Numbers;
@@ -9,6 +11,7 @@ import org.hdispatch.porous.block.Method;
 import org.hdispatch.porous.darcy.Permeability;
 import org.hdispatch.porous.flow.FlowOptions;
 import org.hdispatch.porous.flow.SteadyFlow;
+import org.hdispatch.porous.image.Axis;
 import org.hdispatch.porous.pore.PoreSpace;
 
 /** A permeability as a table for people. */
@@ -68,6 +71,9 @@ final class OutcomeTable {
                 + " m2 = "
                 + voxel2
             : voxel2 + " (mD and m2 need --voxel-edge)");
+    if (outcome.flow().column().isPresent()) {
+      table.line("across the flow", across(outcome));
+    }
     if (outcome.percolates()) {
       table.line(
           "error estimate",
@@ -81,6 +87,19 @@ final class OutcomeTable {
               + Numbers.percent(flow.fluxImbalance())
               + ")");
     }
+  }
+
+  /** The other two entries of the column of the permeability tensor. */
+  private static String across(Outcome outcome) {
+    List<String> entries = new ArrayList<>();
+    for (Axis each : Axis.values()) {
+      if (each != outcome.options().axis()) {
+        double entry = outcome.figures().entry(each).getAsDouble();
+        entries.add(
+            "along " + Choices.word(each) + " " + Numbers.significant(entry, DIGITS) + " voxel2");
+      }
+    }
+    return String.join(", ", entries);
   }
 
   private static void flow(Table table, Outcome outcome) {

@@ -61,6 +61,11 @@ final class OutputOptions {
     return json ? Form.JSON : csv ? Form.CSV : Form.TEXT;
   }
 
+  /** Several results and what sums them up, in the form asked for; as CSV, the results alone. */
+  String form(FlatRow summary, List<FlatRow> rows, String text) {
+    return json ? FlatRow.toJson(summary, rows) : form(rows, text);
+  }
+
   /** Several results in the form asked for. */
   String form(List<FlatRow> rows, String text) {
     return json ? FlatRow.toJson(rows) : csv ? FlatRow.toCsv(rows) : text;

@@ -8,14 +8,17 @@ import java.util.Optional;
 import java.util.OptionalDouble;
 import java.util.concurrent.Callable;
 import org.hdispatch.app.text.Numbers;
+import org.hdispatch.app.text.Table;
 import org.hdispatch.dispatch.Dispatcher;
 import org.hdispatch.lbm.immersed.ImmersedBodies;
 import org.hdispatch.porous.block.FlowChoice;
+import org.hdispatch.porous.darcy.PermeabilityColumn;
 import org.hdispatch.porous.darcy.PhysicalFlow;
 import org.hdispatch.porous.flow.FlowListener;
 import org.hdispatch.porous.flow.Inlet;
 import org.hdispatch.porous.flow.Sides;
 import org.hdispatch.porous.flow.SteadyFlow;
+import org.hdispatch.porous.image.Axis;
 import org.hdispatch.porous.io.ImageFileException;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
@@ -26,7 +29,7 @@ import picocli.CommandLine.Spec;
 @Command(
     name = "permeability",
     description = {
-      "Compute the permeability of a rock image along one axis.",
+      "Compute the permeability of a rock image along one axis, or its tensor.",
       "Without IMAGE and --spheres: of the bundled sample of Berea sandstone."
     })
 final class PermeabilityCommand implements Callable<Integer> {
@@ -56,20 +59,69 @@ final class PermeabilityCommand implements Callable<Integer> {
     FlowChoice choice = choice();
     PhysicalFlow fluid = fluidOptions.fluid();
     threadOptions.threads();
+    List<Axis> axes = axisOption.axes();
     int finer = methodOptions.refine();
     Rock whole =
         spheres.packing().isPresent()
             ? Rock.of(spheres, imageOptions, settings.walls(), host)
             : Rock.of(ImageSource.of(imageOptions), imageOptions, settings, host);
     Rock rock = whole.refined(finer, host);
-    requireHeap(choice, rock);
+    for (Axis axis : axes) {
+      requireHeap(choice.along(axis), rock);
+    }
     gcReport.check();
     if (output.folder().isEmpty()) {
-      return report(compute(rock, choice, fluid), Optional.empty());
+      return compute(rock, choice, fluid, axes, Optional.empty());
     }
     try (OutputFolder folder = OutputFolder.open(output.folder().get())) {
-      return report(compute(rock, choice, fluid), Optional.of(folder));
+      return compute(rock, choice, fluid, axes, Optional.of(folder));
     }
+  }
+
+  private int compute(
+      Rock rock,
+      FlowChoice choice,
+      PhysicalFlow fluid,
+      List<Axis> axes,
+      Optional<OutputFolder> folder)
+      throws ImageFileException {
+    return axes.size() == 1
+        ? report(compute(rock, choice.along(axes.get(0)), fluid), folder)
+        : tensor(rock, choice, fluid, folder);
+  }
+
+  /** The flows along all axes, one after the other; of each, only its figures are kept. */
+  private int tensor(
+      Rock rock, FlowChoice choice, PhysicalFlow fluid, Optional<OutputFolder> folder)
+      throws ImageFileException {
+    List<FlatRow> rows = new ArrayList<>();
+    StringBuilder text = new StringBuilder();
+    List<Double> diagonal = new ArrayList<>();
+    List<Optional<PermeabilityColumn>> columns = new ArrayList<>();
+    int code = ExitCode.DONE.code();
+    for (Axis axis : Axis.values()) {
+      Outcome outcome = compute(rock, choice.along(axis), fluid);
+      FlatRow row = OutcomeRow.of(outcome);
+      rows.add(row);
+      text.append(OutcomeTable.of(outcome)).append(System.lineSeparator());
+      diagonal.add(outcome.flow().permeability());
+      columns.add(outcome.flow().column());
+      if (folder.isPresent()) {
+        try (OutputFolder own = OutputFolder.open(folder.get().file(Choices.word(axis)))) {
+          write(outcome, row, own);
+        }
+      }
+      code = Math.max(code, judge(outcome));
+    }
+    TensorFigures tensor = TensorFigures.of(diagonal, columns, rock.voxelEdge());
+    Table table = new Table();
+    tensor.putInto(table);
+    FlatRow summary = tensor.putInto(new FlatRow());
+    print(output.form(summary, rows, text.append(table).toString()));
+    if (folder.isPresent()) {
+      folder.get().write("tensor.json", summary.toJson());
+    }
+    return code;
   }
 
   private void requireHeap(FlowChoice choice, Rock rock) {
@@ -106,16 +158,30 @@ final class PermeabilityCommand implements Callable<Integer> {
 
   private int report(Outcome outcome, Optional<OutputFolder> folder) throws ImageFileException {
     FlatRow row = OutcomeRow.of(outcome);
+    print(output.form(row, OutcomeTable.of(outcome)));
+    if (folder.isPresent()) {
+      write(outcome, row, folder.get());
+    }
+    gcReport.write(outcome.collectorReport());
+    return judge(outcome);
+  }
+
+  private void print(String text) throws ImageFileException {
     PrintWriter out = spec.commandLine().getOut();
-    out.print(output.form(row, OutcomeTable.of(outcome)));
+    out.print(text);
     if (out.checkError()) {
       throw new ImageFileException("standard output must be writable");
     }
-    if (folder.isPresent()) {
-      new FieldFiles(outcome).write(folder.get());
-      folder.get().write("result.json", row.toJson());
-    }
-    gcReport.write(outcome.collectorReport());
+  }
+
+  private static void write(Outcome outcome, FlatRow row, OutputFolder folder)
+      throws ImageFileException {
+    new FieldFiles(outcome).write(folder);
+    folder.write("result.json", row.toJson());
+  }
+
+  /** Warns of what may be wrong with a result; returns the exit code. */
+  private int judge(Outcome outcome) {
     OptionalDouble reynolds = outcome.reynolds();
     if (reynolds.isPresent() && reynolds.getAsDouble() > DARCY_REYNOLDS) {
       warn(
@@ -169,7 +235,10 @@ final class PermeabilityCommand implements Callable<Integer> {
   private FlowChoice choice() {
     output.folder();
     Given given = new Given(spec.commandLine().getParseResult());
-    FlowChoice choice = FlowChoices.of(methodOptions, settings, given).along(axisOption.axis());
+    if (axisOption.axes().size() > 1) {
+      given.refuse("--gc-report", "one axis, not --axis all");
+    }
+    FlowChoice choice = FlowChoices.of(methodOptions, settings, given);
     if (spheres.packing().isEmpty()) {
       SphereOptions.NAMES.forEach(name -> given.refuse(name, "--spheres"));
       if (choice.options().inlet() != Inlet.SLAB) {

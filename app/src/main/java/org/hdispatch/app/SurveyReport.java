@@ -2,6 +2,7 @@ package org.hdispatch.app;
 
 import java.io.IOException;
 import java.io.UncheckedIOException;
+import java.util.Optional;
 import org.hdispatch.app.text.Table;
 import org.hdispatch.porous.block.BlockColumns;
 import org.hdispatch.porous.io.CsvLine;
@@ -25,11 +26,18 @@ record SurveyReport(SurveyFiles files, int jobs, OutputOptions output, CommandCo
     void take(SurveyRow row) throws IOException;
   }
 
-  /** Writes the file for programs, prints the summary, and returns the exit code. */
+  /**
+   * Writes the files for programs and of the tensors, prints the summary, and returns the exit
+   * code.
+   */
   int tell() throws ImageFileException {
     SurveySummary summary = new SurveySummary(jobs);
     files.forEachRow(summary::add);
     WholeFiles.writeLines(files.jsonFile(), out -> json(summary, out));
+    if (summary.tensors() > 0) {
+      WholeFiles.writeLines(files.tensorFile(), this::tensorCsv);
+      WholeFiles.writeLines(files.tensorJsonFile(), this::tensorJson);
+    }
     print(summary);
     int failed = summary.count(SurveyStatus.FAILED);
     int unsteady = summary.count(SurveyStatus.NOT_CONVERGED);
@@ -65,9 +73,13 @@ record SurveyReport(SurveyFiles files, int jobs, OutputOptions output, CommandCo
 
   private String text(SurveySummary summary) {
     Table table = summary.table();
+    table.line("rows", files.file().toString()).line("", files.jsonFile().toString());
+    if (summary.tensors() > 0) {
+      table
+          .line("tensors", files.tensorFile().toString())
+          .line("", files.tensorJsonFile().toString());
+    }
     table
-        .line("rows", files.file().toString())
-        .line("", files.jsonFile().toString())
         .line("times", files.timesFile().toString())
         .line("settings", files.settingsFile().toString());
     return table.toString();
@@ -92,6 +104,32 @@ record SurveyReport(SurveyFiles files, int jobs, OutputOptions output, CommandCo
         row ->
             out.append(CsvLine.format(row.format(SurveyRow.columns(BlockColumns.FIGURES))))
                 .append('\n'));
+  }
+
+  private void tensorCsv(Appendable out) throws IOException {
+    SurveyTensors tensors = new SurveyTensors();
+    each(
+        row -> {
+          Optional<FlatRow> tensor = tensors.add(row);
+          if (tensor.isPresent()) {
+            String lines = tensor.get().toCsv(); // a header and one row
+            out.append(tensors.blocks() == 1 ? lines : lines.substring(lines.indexOf('\n') + 1));
+          }
+        });
+  }
+
+  private void tensorJson(Appendable out) throws IOException {
+    SurveyTensors tensors = new SurveyTensors();
+    out.append('[');
+    each(
+        row -> {
+          Optional<FlatRow> tensor = tensors.add(row);
+          if (tensor.isPresent()) {
+            out.append(tensors.blocks() == 1 ? "\n" : ",\n");
+            out.append(tensor.get().toJson().stripTrailing());
+          }
+        });
+    out.append("\n]\n");
   }
 
   private void each(Taker taker) throws IOException {

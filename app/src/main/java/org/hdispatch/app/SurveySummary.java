@@ -22,6 +22,7 @@ final class SurveySummary {
   private static final long NONE = -1;
 
   private final int jobs;
+  private final SurveyTensors tensors = new SurveyTensors();
   private final Map<SurveyStatus, Integer> statuses = new EnumMap<>(SurveyStatus.class);
   private final Map<Axis, List<Double>> permeabilities = new EnumMap<>(Axis.class); // mD
   private final List<Double> porosities = new ArrayList<>(); // of each block once
@@ -42,6 +43,7 @@ final class SurveySummary {
   /** Takes in a row; they come in the order of their jobs, block by block. */
   void add(SurveyRow row) {
     rows++;
+    tensors.add(row);
     long of = row.job().block();
     blocks += of == block ? 0 : 1;
     block = of;
@@ -59,6 +61,11 @@ final class SurveySummary {
                 porous = of;
               });
     }
+  }
+
+  /** How many blocks have a permeability along all three axes. */
+  int tensors() {
+    return tensors.blocks();
   }
 
   int count(SurveyStatus status) {
@@ -93,6 +100,7 @@ final class SurveySummary {
     for (Axis axis : axes()) {
       put(row, "permeability_mD", "_" + Choices.word(axis), permeability(axis));
     }
+    tensors.putInto(row);
     return row;
   }
 
@@ -158,6 +166,7 @@ final class SurveySummary {
                     + " mD");
       }
     }
+    tensors.putInto(table);
     return table;
   }
 }

@@ -26,6 +26,9 @@ class PermeabilityCommandTest {
           "permeability_m2",
           "permeability_mD",
           "permeability_voxel2",
+          "permeability_x_voxel2",
+          "permeability_y_voxel2",
+          "permeability_z_voxel2",
           "k_error_estimate",
           "change_at_stop",
           "porosity",
@@ -399,5 +402,49 @@ class PermeabilityCommandTest {
     Cli.run("permeability", "--method=sph", "--tau=1").assertRefused(2, "--tau");
     Cli.run("permeability", "--smoothing-length=1.5").assertRefused(2, "--method sph");
     Cli.run("permeability", "--refine=0").assertRefused(2, "N=0");
+  }
+
+  @Test
+  void allAxesGiveThreeResultsAndTheTensor(@TempDir Path folder) throws IOException {
+    Object[] command = {
+      "permeability",
+      "--spheres=sc",
+      "--size=12",
+      "--solid-fraction=0.343",
+      "--axis=all",
+      "--quiet",
+      "--output=" + folder.resolve("o"),
+      "--json"
+    };
+    Cli run = Cli.run(command);
+    assertEquals(0, run.code(), run.err());
+    for (String part :
+        List.of(
+            "{\n\"summary\": {",
+            "\"permeability_xy_voxel2\": ",
+            "\"principal_3_z\": ",
+            "\"rows\": [",
+            "\"axis\": \"x\"",
+            "\"axis\": \"y\"",
+            "\"axis\": \"z\"")) {
+      assertTrue(run.out().contains(part), () -> part + " <- " + run.out());
+    }
+    String tensor = Files.readString(folder.resolve("o/tensor.json"));
+    String inner = tensor.substring(2, tensor.length() - 3);
+    assertTrue(run.out().contains(inner), tensor);
+    for (String axis : List.of("x", "y", "z")) {
+      assertTrue(Files.exists(folder.resolve("o/" + axis + "/flow.vti")));
+      assertTrue(
+          Files.readString(folder.resolve("o/" + axis + "/result.json"))
+              .contains("\"axis\": \"" + axis + "\""));
+    }
+    command[7] = "--csv";
+    assertEquals(4, Cli.run(command).out().lines().count());
+    Cli walls = Cli.run("permeability", "--box=32,32,32,24,24,24", "--axis=all", "--quiet");
+    assertEquals(0, walls.code(), walls.err());
+    assertTrue(walls.out().contains("what flows across needs --sides periodic"), walls.out());
+    Cli.run("permeability", "--axis=all", "--gc-report=" + folder.resolve("gc.json"))
+        .assertRefused(2, "--gc-report must come with one axis");
+    Cli.run("permeability", "--axis=w").assertRefused(2, "--axis must be one of x, y, z, all");
   }
 }

@@ -178,6 +178,7 @@ class SurveyCommandTest {
     Path table = folder.resolve("again/survey.csv");
     byte[] bytes = Files.readAllBytes(table);
     byte[] json = Files.readAllBytes(folder.resolve("again/survey.json"));
+    byte[] tensors = Files.readAllBytes(folder.resolve("again/survey-tensor.csv"));
     assertEquals(1 + 9, Files.readAllLines(table).size());
     for (int length : new int[] {0, 100, bytes.length / 2, bytes.length - 1, bytes.length}) {
       Files.write(table, Arrays.copyOf(bytes, length));
@@ -186,6 +187,7 @@ class SurveyCommandTest {
       assertEquals(whole.out(), again.out());
       assertArrayEquals(bytes, Files.readAllBytes(table));
       assertArrayEquals(json, Files.readAllBytes(folder.resolve("again/survey.json")));
+      assertArrayEquals(tensors, Files.readAllBytes(folder.resolve("again/survey-tensor.csv")));
     }
     Cli nothing = four("again", "--axis=all", "--blocks=0-2");
     assertTrue(nothing.err().contains("9 done before"), nothing.err());
@@ -289,7 +291,13 @@ class SurveyCommandTest {
     four("parts", "--axis=all", "--outside-value=9", "--shard=1/3");
     Cli all = Cli.run("survey", "--collect=" + folder.resolve("parts"), "--quiet");
     assertEquals(0, all.code(), all.err());
-    for (String file : List.of("survey.csv", "survey.json", "survey.properties")) {
+    for (String file :
+        List.of(
+            "survey.csv",
+            "survey.json",
+            "survey.properties",
+            "survey-tensor.csv",
+            "survey-tensor.json")) {
       assertEquals(
           Files.readString(folder.resolve("whole").resolve(file)),
           Files.readString(folder.resolve("parts").resolve(file)));
@@ -393,6 +401,109 @@ class SurveyCommandTest {
       throw new java.io.UncheckedIOException(e);
     }
     survey.interrupt();
+  }
+
+  /** Two blocks side by side, each periodic in itself; rows of their tensors. */
+  private List<Map<String, String>> tensors(String dims, String block, String tolerance)
+      throws IOException {
+    Path to = folder.resolve("tensors");
+    Cli run =
+        Cli.run(
+            "survey",
+            folder.resolve("image.raw"),
+            "--dims=" + dims,
+            "--block=" + block,
+            "--axis=all",
+            "--sides=periodic",
+            "--inlet=periodic",
+            "--tolerance=" + tolerance,
+            "--voxel-edge=1e-6",
+            "--output=" + to);
+    assertEquals(0, run.code(), run.err());
+    assertTrue(run.out().contains("tensor               full, in 2 blocks"), run.out());
+    List<Map<String, String>> rows = rows(to.resolve("survey-tensor.csv"));
+    assertEquals(List.of("0", "1"), column(rows, "block"));
+    Map<String, String> first = new LinkedHashMap<>(rows.get(0));
+    Map<String, String> second = new LinkedHashMap<>(rows.get(1));
+    for (String key : List.of("x0", "block")) {
+      assertTrue(!first.remove(key).equals(second.remove(key)), key);
+    }
+    assertEquals(first, second, "the same rock, the same digits");
+    return rows;
+  }
+
+  private static double number(Map<String, String> row, String key) {
+    return Double.parseDouble(row.get(key));
+  }
+
+  /** Whole simple-cubic cells: nothing flows across, and no axis is another than the others. */
+  @Test
+  void tensorOfAPeriodicPackingIsIsotropic() throws IOException {
+    int n = 12;
+    double radius = n * Math.cbrt(0.343 * 3 / (4 * Math.PI));
+    RawFile.write(
+        folder,
+        2 * n,
+        n,
+        n,
+        (x, y, z) -> Math.hypot(Math.hypot(x % n - 5.5, y - 5.5), z - 5.5) > radius);
+    Map<String, String> row = tensors("24,12,12", "12", "1e-7").get(0);
+    double k = number(row, "permeability_xx_voxel2");
+    for (String flux : List.of("x", "y", "z")) {
+      for (String gradient : List.of("x", "y", "z")) {
+        double expected = flux.equals(gradient) ? k : 0;
+        String key = "permeability_" + flux + gradient + "_voxel2";
+        assertEquals(expected, number(row, key), 1e-6 * k, key);
+      }
+    }
+    assertEquals(1, number(row, "anisotropy"), 1e-6);
+    assertEquals(0, number(row, "asymmetry"), 1e-6);
+    assertEquals(k * 1e-12 / 9.869233e-16, number(row, "principal_1_mD"), 2e-3 * k); // 1e-6 of 1e3
+  }
+
+  /**
+   * Slits at 45 degrees of width W = 8/sqrt 2, half of the volume: phi W²/12 times 1/2 along and
+   * across, 1 beside, and 1 - 1/(8 W²) for the stairs that voxels make of them.
+   */
+  @Test
+  void tensorOfSlitsAt45DegreesHasItsKnownEntries() throws IOException {
+    RawFile.write(folder, 32, 3, 16, (x, y, z) -> Math.floorMod(x - z, 16) < 8);
+    Map<String, String> row = tensors("32,3,16", "16,3,16", "1e-7").get(0);
+    double exact = 0.5 * 32 / 12;
+    double stairs = 1 - 1 / (8.0 * 32);
+    double slack = 2e-6 * exact; // the tolerance, and what is left of it across
+    for (String key : List.of("xx", "xz", "zx", "zz")) {
+      assertEquals(
+          0.5 * stairs * exact, number(row, "permeability_" + key + "_voxel2"), slack, key);
+    }
+    for (String key : List.of("xy", "yx", "yz", "zy")) {
+      assertEquals(0, number(row, "permeability_" + key + "_voxel2"), slack, key);
+    }
+    assertEquals(stairs * exact, number(row, "permeability_yy_voxel2"), slack);
+    assertEquals(0, number(row, "principal_3_voxel2"), slack);
+    assertEquals(Math.sqrt(0.5), number(row, "principal_3_x"), 1e-5);
+    assertEquals(-Math.sqrt(0.5), number(row, "principal_3_z"), 1e-5);
+  }
+
+  @Test
+  void tensorIsItsDiagonalAloneWithoutPeriodicSidesAndSaysSo() throws IOException {
+    Cli run = four("walls", "--axis=all", "--blocks=0-2");
+    assertEquals(0, run.code(), run.err());
+    String said = "its diagonal alone, in 3 blocks; what flows across needs --sides periodic";
+    assertTrue(run.out().contains(said), run.out());
+    List<Map<String, String>> rows = rows(folder.resolve("walls/survey-tensor.csv"));
+    assertEquals(List.of("0", "1", "2"), column(rows, "block"));
+    assertEquals(List.of("", "", ""), column(rows, "permeability_xz_voxel2"));
+    assertEquals(List.of("", "", ""), column(rows, "principal_1_voxel2"));
+    assertEquals(List.of("wall", "wall", "wall"), column(rows, "sides"));
+    assertEquals("0.0", rows.get(1).get("permeability_zz_voxel2"));
+    assertEquals("", rowsIn("walls").get(2).get("permeability_x_voxel2"));
+    assertEquals(
+        column(rowsIn("walls"), "permeability_voxel2").get(2),
+        rows.get(0).get("permeability_zz_voxel2"));
+    String json = Files.readString(folder.resolve("walls/survey.json"));
+    assertTrue(json.contains("\"tensor_blocks\": 3,"), json);
+    assertTrue(json.contains("\"anisotropy_median\": null,"), json);
   }
 
   /** A volume of whole simple-cubic cells: every block is the same, and so is its k. */

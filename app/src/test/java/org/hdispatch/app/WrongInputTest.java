@@ -136,7 +136,7 @@ class WrongInputTest {
         "--max-steps | 0 | steps must number at least 1: steps=0",
         "--max-steps | NaN | --max-steps must be an integer: --max-steps=NaN",
         "--inlet-layers | 0 | inlet layers must number 1 to 10000",
-        "--axis | w | --axis must be one of x, y, z: --axis=w",
+        "--axis | w | --axis must be one of x, y, z, all: --axis=w",
         "--lattice | D2Q9 | --lattice must be one of D3Q15, D3Q19",
         "--box | 0,0,0,65,64,64 | box must lie inside the image",
         "--box | 0,0,0,4,4 | --box must be 6 integers: --box=0,0,0,4,4",

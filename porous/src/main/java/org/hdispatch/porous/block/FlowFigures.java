@@ -7,6 +7,7 @@ import java.util.OptionalDouble;
 import org.hdispatch.porous.darcy.Permeability;
 import org.hdispatch.porous.darcy.PhysicalFlow;
 import org.hdispatch.porous.flow.SteadyFlow;
+import org.hdispatch.porous.image.Axis;
 import org.hdispatch.porous.pore.PoreSpace;
 
 /**
@@ -20,6 +21,19 @@ public record FlowFigures(SteadyFlow flow, OptionalDouble voxelEdge, PhysicalFlo
   /** The permeability. */
   public Permeability permeability() {
     return new Permeability(flow.permeability(), voxelEdge);
+  }
+
+  /**
+   * What flows along an axis under the pressure gradient along that of the flow, as an entry of the
+   * permeability tensor, voxel²: along the flow k; across it only with periodic sides.
+   */
+  public OptionalDouble entry(Axis along) {
+    if (flow.column().isPresent()) {
+      return OptionalDouble.of(flow.column().get().entry(along.ordinal()));
+    }
+    return along == flow.options().axis()
+        ? OptionalDouble.of(flow.permeability())
+        : OptionalDouble.empty();
   }
 
   private boolean percolates() {
@@ -60,6 +74,9 @@ public record FlowFigures(SteadyFlow flow, OptionalDouble voxelEdge, PhysicalFlo
     values.put("permeability_m2", known(permeability().squareMetres()));
     values.put("permeability_mD", known(permeability().milliDarcy()));
     values.put("permeability_voxel2", known(flow.permeability()));
+    values.put("permeability_x_voxel2", known(entry(Axis.X)));
+    values.put("permeability_y_voxel2", known(entry(Axis.Y)));
+    values.put("permeability_z_voxel2", known(entry(Axis.Z)));
     values.put("k_error_estimate", known(flow.errorEstimate()));
     values.put("change_at_stop", known(flow.changeAtStop()));
     values.put("porosity", known(flow.porosity()));

@@ -8,6 +8,7 @@ import org.hdispatch.lbm.immersed.Body;
 import org.hdispatch.lbm.immersed.ImmersedBodies;
 import org.hdispatch.lbm.immersed.Point;
 import org.hdispatch.porous.darcy.Darcy;
+import org.hdispatch.porous.darcy.PermeabilityColumn;
 import org.hdispatch.porous.image.Axis;
 import org.hdispatch.porous.pore.PoreSpace;
 
@@ -136,6 +137,25 @@ final class FlowDomain {
   /** Pore volume of the rock in which fluid flows, over that of the rock box. */
   double connectedPorosity() {
     return solid.map(fractions -> fractions.porosity(rock)).orElse(rock.porosity());
+  }
+
+  /**
+   * The column of the permeability tensor that goes with a flow.
+   *
+   * @param permeability along the flow, voxel²
+   * @param mean velocity over the rock box, by axis, any unit
+   * @return empty if the sides are not periodic
+   */
+  Optional<PermeabilityColumn> column(double permeability, double[] mean) {
+    if (atSides != Sides.PERIODIC) {
+      return Optional.empty();
+    }
+    double scale = permeability / mean[axis.ordinal()];
+    return Optional.of(
+        new PermeabilityColumn(
+            axis == Axis.X ? permeability : scale * mean[0],
+            axis == Axis.Y ? permeability : scale * mean[1],
+            axis == Axis.Z ? permeability : scale * mean[2]));
   }
 
   /** Whether a wall stands at the ends of an axis. */

@@ -23,6 +23,7 @@ final class SectionFlux {
   private final double[] flux;
   private final double[] density; // mean of the nodes of each section
   private final int[] nodes; // of each section
+  private final double[] total = new double[3]; // of all sections, by direction
   private final LbmScheme.NodeVisitor also; // sees what is measured at each node
   private double highestSpeed;
 
@@ -57,9 +58,10 @@ final class SectionFlux {
     Arrays.fill(flux, 0);
     Arrays.fill(density, 0);
     Arrays.fill(nodes, 0);
+    Arrays.fill(total, 0);
     double square = 0;
     for (int n = 0; n < parts.size(); n++) {
-      parts.cellAt(n).addTo(flux, density, nodes);
+      parts.cellAt(n).addTo(flux, density, nodes, total);
       square = Math.max(square, parts.cellAt(n).highestSquare);
     }
     for (int section = 0; section < density.length; section++) {
@@ -76,6 +78,17 @@ final class SectionFlux {
   /** Mean flux over the rock per cross-section: the superficial velocity, voxels per step. */
   double superficialVelocity() {
     return mean() / domain.crossSection();
+  }
+
+  /**
+   * Mean velocity over the rock box, solid included, by axis, voxels per step; the array is the
+   * caller's. With periodic sides and in a steady flow it is the flux through any section across
+   * each axis, as all of them carry the same.
+   */
+  double[] meanVelocity() {
+    double[] mean = new double[total.length];
+    Arrays.setAll(mean, component -> total[component] / domain.voxels());
+    return mean;
   }
 
   /** Mean flux through a section, voxels³ per step. */
@@ -146,6 +159,9 @@ final class SectionFlux {
     private final double[] sums;
     private final double[] densities;
     private final int[] counts;
+    private double totalX;
+    private double totalY;
+    private double totalZ;
     private final LbmScheme.NodeVisitor add = this::add; // made once: nothing allocates in a pass
     private double highestSquare;
 
@@ -173,20 +189,32 @@ final class SectionFlux {
       Arrays.fill(densities, 0);
       Arrays.fill(counts, 0);
       highestSquare = 0;
+      totalX = 0;
+      totalY = 0;
+      totalZ = 0;
       flow.forEachFlux(bundle, scratch, add);
     }
 
     private void add(int x, int y, int z, double density, double ux, double uy, double uz) {
       also.visit(x, y, z, density, ux, uy, uz);
       Axis axis = domain.axis();
-      int section = section(x, y, z) - firstSection;
-      sums[section] += axis == Axis.X ? ux : axis == Axis.Y ? uy : uz;
-      densities[section] += density;
-      counts[section]++;
+      int section = section(x, y, z);
+      int n = section - firstSection;
+      sums[n] += axis == Axis.X ? ux : axis == Axis.Y ? uy : uz;
+      densities[n] += density;
+      counts[n]++;
+      if (section >= 0 && section < flux.length) {
+        totalX += ux;
+        totalY += uy;
+        totalZ += uz;
+      }
       highestSquare = Math.max(highestSquare, ux * ux + uy * uy + uz * uz);
     }
 
-    void addTo(double[] flux, double[] density, int[] nodes) {
+    void addTo(double[] flux, double[] density, int[] nodes, double[] total) {
+      total[0] += totalX;
+      total[1] += totalY;
+      total[2] += totalZ;
       for (int n = 0; n < sums.length; n++) {
         int section = firstSection + n;
         if (section >= 0 && section < flux.length) {

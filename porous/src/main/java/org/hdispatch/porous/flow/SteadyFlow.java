@@ -3,6 +3,7 @@ package org.hdispatch.porous.flow;
 import java.util.List;
 import java.util.Optional;
 import org.hdispatch.dispatch.LoopStats;
+import org.hdispatch.porous.darcy.PermeabilityColumn;
 import org.hdispatch.porous.pore.Percolation;
 import org.hdispatch.porous.pore.PoreSpace;
 
@@ -14,6 +15,8 @@ import org.hdispatch.porous.pore.PoreSpace;
  * @param connectedPorosity pore volume of the spanning clusters over that of the rock box
  * @param percolation which part of the pore space spans; the flow was solved in that part
  * @param permeability k, voxel²; 0 if nothing spans
+ * @param column what flows in all three directions, as a column of the permeability tensor, whose
+ *     entry along the flow is k; empty if the sides are not periodic, where nothing can flow across
  * @param errorEstimate estimated relative error of k; 0 if nothing spans
  * @param changeAtStop relative change of k over the last interval between measurements
  * @param fluxImbalance how far the flux through a section of the rock is at most from the mean,
@@ -33,6 +36,7 @@ public record SteadyFlow(
     double connectedPorosity,
     Percolation percolation,
     double permeability,
+    Optional<PermeabilityColumn> column,
     double errorEstimate,
     double changeAtStop,
     double fluxImbalance,
@@ -109,6 +113,7 @@ public record SteadyFlow(
         0,
         percolation,
         0,
+        options.sides() == Sides.PERIODIC ? Optional.of(PermeabilityColumn.ZERO) : Optional.empty(),
         0,
         0,
         0,

@@ -113,6 +113,7 @@ final class SteadyLbmRun implements Stepping.Flow {
         domain.connectedPorosity(),
         percolation,
         permeability,
+        domain.column(permeability, flux.meanVelocity()),
         error.estimate(),
         error.lastChange(),
         flux.imbalance(),

@@ -56,6 +56,7 @@ final class SteadySphRun implements Stepping.Flow {
   private final CorrectionShare correction = new CorrectionShare();
   private final ErrorOfSteadyState error;
   private final double[] sections; // flux through each layer of nodes
+  private final double[] total = new double[3]; // velocities of the rock summed up, by axis
   private final double[] gains; // of volume in each layer, in a unit of time
   private long pressureNanos;
   private int corrections;
@@ -175,6 +176,7 @@ final class SteadySphRun implements Stepping.Flow {
         domain.connectedPorosity(),
         percolation,
         permeability,
+        domain.column(permeability, total),
         error.estimate(),
         error.lastChange(),
         imbalance,
@@ -282,13 +284,20 @@ final class SteadySphRun implements Stepping.Flow {
 
   private void measure() {
     Arrays.fill(sections, 0);
+    Arrays.fill(total, 0);
     double[] fastestSquare = new double[1];
     scheme.forEachParticle(
         (id, phase, x, y, z, u, v, w, n, p) -> {
           if (phase == ParticleLayout.FLUID) {
             Axis axis = options.axis();
             double along = axis == Axis.X ? u : axis == Axis.Y ? v : w;
-            sections[layout.coordinate(layout.nodes()[id], axis)] += along;
+            int section = layout.coordinate(layout.nodes()[id], axis);
+            sections[section] += along;
+            if (section >= domain.layers() && section < domain.layers() + domain.length()) {
+              total[0] += u;
+              total[1] += v;
+              total[2] += w;
+            }
             fastestSquare[0] = Math.max(fastestSquare[0], u * u + v * v + w * w);
           }
         });

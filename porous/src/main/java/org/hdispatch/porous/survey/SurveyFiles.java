@@ -21,6 +21,7 @@ import org.hdispatch.porous.io.ImageFileException;
  * survey.properties   survey-2-of-4.properties   what the rows depend on; held while writing
  * survey.csv          survey-2-of-4.csv          a row for each job that is done
  * survey-times.csv    survey-2-of-4-times.csv    what it took: depends on the machine
+ * survey-tensor.csv   survey-2-of-4-tensor.csv   the tensors of blocks that have all three axes
  * </pre>
  *
  * <p>Rows are added as jobs are done, and sorted in the end. So the finished table is the same,
@@ -256,6 +257,16 @@ public final class SurveyFiles implements AutoCloseable {
   /** Where rows and what they come to are told to programs. */
   public Path jsonFile() {
     return folder.resolve(shard.fileName() + ".json");
+  }
+
+  /** The table of the tensors. */
+  public Path tensorFile() {
+    return folder.resolve(shard.fileName() + "-tensor.csv");
+  }
+
+  /** Where the tensors are told to programs. */
+  public Path tensorJsonFile() {
+    return folder.resolve(shard.fileName() + "-tensor.json");
   }
 
   /** The table of the times. */
