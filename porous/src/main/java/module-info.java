@@ -12,4 +12,5 @@ module org.hdispatch.porous {
   exports org.hdispatch.porous.io;
   exports org.hdispatch.porous.pore;
   exports org.hdispatch.porous.survey;
+  exports org.hdispatch.porous.upscale;
 }

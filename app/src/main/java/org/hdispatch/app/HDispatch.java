@@ -64,6 +64,7 @@ public final class HDispatch {
     commandLine.addSubcommand(new PermeabilityCommand(host));
     commandLine.addSubcommand(new SurveyCommand(host));
     commandLine.addSubcommand(new SurveyReportCommand(host));
+    commandLine.addSubcommand(new UpscaleCommand(host));
     commandLine.addSubcommand(new DuctCommand(host));
     commandLine.addSubcommand(new SettleCommand(host));
     commandLine.addSubcommand(SphCommand.commandLine(host));
