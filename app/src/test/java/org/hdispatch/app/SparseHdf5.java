@@ -143,7 +143,7 @@ final class SparseHdf5 implements AutoCloseable {
         if (n < nodes - 1) {
           key(node, 0, level.get((n + 1) * 2 * CHUNK_K).place(), 0);
         } else {
-          key(node, 0, own.get(own.size() - 1).place(), edge); // beyond the last
+          key(node, 0, chunks.get(chunks.size() - 1).place(), edge); // beyond the last of all
         }
         node.rewind();
         above.add(new Child(own.get(0).place(), own.get(0).bytes(), append(node)));
