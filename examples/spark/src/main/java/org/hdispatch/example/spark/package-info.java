@@ -1,0 +1,2 @@
+/** The survey of a rock image on a Spark cluster. */
+package org.hdispatch.example.spark;
