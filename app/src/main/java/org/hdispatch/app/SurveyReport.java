@@ -3,6 +3,7 @@ package org.hdispatch.app;
 import java.io.IOException;
 import java.io.UncheckedIOException;
 import java.util.Optional;
+import java.nio.file.Path;
 import org.hdispatch.app.text.Table;
 import org.hdispatch.porous.block.BlockColumns;
 import org.hdispatch.porous.io.CsvLine;
@@ -81,8 +82,13 @@ record SurveyReport(SurveyFiles files, int jobs, OutputOptions output, CommandCo
     }
     table
         .line("times", files.timesFile().toString())
-        .line("settings", files.settingsFile().toString());
+        .line("settings", files.settingsFile().toString())
+        .line("to draw them", "./hdispatch survey-report " + folder() + " --output report");
     return table.toString();
+  }
+
+  private Path folder() {
+    return files.file().getParent();
   }
 
   /** A JSON object of what sums up, {@code summary}, and the {@code rows} themselves. */

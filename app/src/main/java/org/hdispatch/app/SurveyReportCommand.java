@@ -12,7 +12,7 @@ import org.hdispatch.app.draw.StudyPage.Photo;
 import org.hdispatch.app.survey.page.CrossPlot;
 import org.hdispatch.app.survey.page.Series;
 import org.hdispatch.app.survey.page.SurveyPage;
-import org.hdispatch.app.survey.page.SurveyReport;
+import org.hdispatch.app.survey.page.SurveyStudy;
 import org.hdispatch.porous.io.ImageFileException;
 import org.hdispatch.porous.survey.PorosityScale;
 import org.hdispatch.porous.survey.SurveyTable;
@@ -72,7 +72,7 @@ final class SurveyReportCommand implements Callable<Integer> {
         }
       }
     }
-    SurveyReport report = new SurveyReport(series, options.points(), options.bands(), porosities);
+    SurveyStudy report = new SurveyStudy(series, options.points(), options.bands(), porosities);
     if (to.isEmpty()) {
       print(report, List.of());
       return ExitCode.DONE.code();
@@ -97,8 +97,7 @@ final class SurveyReportCommand implements Callable<Integer> {
     return series;
   }
 
-  private List<Path> write(
-      SurveyReport report, Map<String, List<Photo>> slices, OutputFolder folder)
+  private List<Path> write(SurveyStudy report, Map<String, List<Photo>> slices, OutputFolder folder)
       throws ImageFileException {
     List<String> beside = new ArrayList<>(List.of(NAME + ".csv", NAME + ".json"));
     List<FlatRow> rows = rows(report);
@@ -120,11 +119,11 @@ final class SurveyReportCommand implements Callable<Integer> {
     return files;
   }
 
-  private static List<FlatRow> rows(SurveyReport report) {
+  private static List<FlatRow> rows(SurveyStudy report) {
     return report.rows().stream().map(row -> new FlatRow().putAll(row)).toList();
   }
 
-  private void print(SurveyReport report, List<Path> files) throws ImageFileException {
+  private void print(SurveyStudy report, List<Path> files) throws ImageFileException {
     StringBuilder text = new StringBuilder();
     report.sentences().forEach(each -> text.append(each).append(System.lineSeparator()));
     files.forEach(each -> text.append("file: ").append(each).append(System.lineSeparator()));

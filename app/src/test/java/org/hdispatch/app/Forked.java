@@ -12,13 +12,20 @@ final class Forked {
 
   /** Starts a survey. */
   static Process survey(List<String> jvm, String... args) throws IOException {
+    List<String> all = new ArrayList<>(List.of("survey"));
+    all.addAll(List.of(args));
+    return program(jvm, all);
+  }
+
+  /** Starts a command. */
+  static Process program(List<String> jvm, List<String> args) throws IOException {
     List<String> command =
         new ArrayList<>(
             List.of(Path.of(System.getProperty("java.home"), "bin", "java").toString()));
     command.addAll(jvm);
     command.addAll(
-        List.of("-cp", System.getProperty("java.class.path"), HDispatch.class.getName(), "survey"));
-    command.addAll(List.of(args));
+        List.of("-cp", System.getProperty("java.class.path"), HDispatch.class.getName()));
+    command.addAll(args);
     return new ProcessBuilder(command)
         .redirectOutput(ProcessBuilder.Redirect.DISCARD)
         .redirectError(ProcessBuilder.Redirect.INHERIT)

@@ -56,7 +56,8 @@ public final class LogPlot {
     private static final List<String> POWERS = List.of("1");
     private static final List<String> FEW = List.of("1", "2", "5");
     private static final List<String> MOST =
-        List.of("1", "1.2", "1.4", "1.6", "1.8", "2", "2.5", "3", "3.5", "4", "5", "6", "7", "8", "9");
+        List.of(
+            "1", "1.2", "1.4", "1.6", "1.8", "2", "2.5", "3", "3.5", "4", "5", "6", "7", "8", "9");
     private static final List<String> MANY = List.of("1", "1.5", "2", "3", "4", "5", "6", "8");
 
     /**

@@ -63,4 +63,27 @@ class LogPlotTest {
     assertEquals("66.0,254.0", points[0]); // the corners of the axes
     assertEquals("396.0,32.0", points[points.length - 1]);
   }
+
+  @Test
+  void closeAxisLeavesALittleRoomAndHasMoreNumbers() {
+    Scale scale = Scale.close("porosity", 0.1, 0.2, value -> Numbers.plain(value, 3));
+    assertEquals(0.1 / 1.1, scale.least(), 1e-12);
+    assertEquals(0.2 * 1.1, scale.most(), 1e-12);
+    assertEquals(List.of(0.1, 0.12, 0.14, 0.16, 0.18, 0.2), scale.ticks());
+    assertEquals(
+        List.of(1.0, 1.5, 2.0, 3.0, 4.0, 5.0),
+        Scale.close("k", 1, 5, value -> Numbers.plain(value, 3)).ticks());
+    assertThrows(IllegalArgumentException.class, () -> Scale.close("k", 0, 5, String::valueOf));
+  }
+
+  @Test
+  void headingIsSeenAbove() throws Exception {
+    LogPlot plot = LogPlot.headed("a heading", around(1, 100), new LinearAxis("y", 5));
+    plot.bar(10, 1, 2, PlotInk.FIRST);
+    plot.label(10, 2, "a point");
+    Document svg = StudyPageTest.parsed(plot.toString());
+    Element first = (Element) svg.getElementsByTagName("text").item(0);
+    assertEquals("a heading", first.getTextContent());
+    assertEquals("320", svg.getDocumentElement().getAttribute("height"));
+  }
 }

@@ -107,4 +107,18 @@ public class StudyPageTest {
       }
     }
   }
+
+  @Test
+  void photosArePartOfThePage() throws Exception {
+    byte[] png = {1, 2, 3};
+    Document page =
+        parsed(
+            new StudyPage("t", "l")
+                .photos("c", List.of(new StudyPage.Photo(png, "a < b")))
+                .toString());
+    Element image = (Element) page.getElementsByTagName("img").item(0);
+    assertEquals("data:image/png;base64,AQID", image.getAttribute("src"));
+    assertEquals("a < b", image.getAttribute("alt"));
+    assertTrue(only(page, "figcaption").equals("c"));
+  }
 }

@@ -2,6 +2,7 @@ package org.hdispatch.app.survey.page;
 
 import java.util.ArrayList;
 import java.util.Arrays;
+import java.util.Comparator;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
@@ -34,14 +35,17 @@ public final class CrossPlot {
   private static final int LETTERS = 56; // in a line of it
   private static final int CURVE = 120; // points of a curve
   private static final double SMALL = 0.62; // marks, times the usual ones
-  private static final double MANY = 40; // points, from which marks are small
+  private static final double SMALLEST = 0.42;
+  private static final double USUAL = 0.75;
+  private static final int MANY = 40; // points, above which marks are small
+  private static final int MOST = 120; // and above which they are smallest
   private static final String FIT_DASHES = "";
   private static final List<String> MORE_FIT_DASHES = List.of(FIT_DASHES, "12 3", "9 3 2 3");
 
   private static final List<Mark> MARKS =
       List.of(Mark.CIRCLE, Mark.SQUARE, Mark.TRIANGLE, Mark.DIAMOND);
 
-  private final SurveyReport report;
+  private final SurveyStudy report;
   private final Scale x;
   private final Scale y;
 
@@ -59,7 +63,7 @@ public final class CrossPlot {
    *
    * @param report what is drawn; at least a point
    */
-  public CrossPlot(SurveyReport report) {
+  public CrossPlot(SurveyStudy report) {
     this.report = report;
     x =
         scale(
@@ -90,13 +94,15 @@ public final class CrossPlot {
 
   /** Given points that have logarithms. */
   private List<GivenPoint> given() {
-    return report.points().stream()
-        .filter(each -> each.porosity() > 0 && each.permeability() > 0)
-        .toList();
+    return report.points().stream().filter(CrossPlot::hasLogarithms).toList();
+  }
+
+  private static boolean hasLogarithms(GivenPoint point) {
+    return point.porosity() > 0 && point.permeability() > 0;
   }
 
   /** Whether there is anything to draw. */
-  public static boolean hasPoints(SurveyReport report) {
+  public static boolean hasPoints(SurveyStudy report) {
     return report.series().stream().anyMatch(each -> !each.drawn().isEmpty())
         || report.points().stream().anyMatch(each -> each.porosity() * each.permeability() > 0);
   }
@@ -140,8 +146,56 @@ public final class CrossPlot {
     return number % 2 == 0 ? Mark.CROSS : Mark.PLUS;
   }
 
-  private double markSize() {
-    return rows().size() + given().size() < MANY ? 1 : SMALL;
+  /** The more points, the smaller their marks, times the usual ones. */
+  private static double markSize(int points) {
+    return points > MOST ? SMALLEST : points > MANY ? SMALL : USUAL;
+  }
+
+  /** Points that have a mark in common. */
+  private record Group(String name, Mark mark, boolean full, List<Point> points) {
+    double size() {
+      return markSize(points.size());
+    }
+
+    void draw(LogPlot plot) {
+      points.forEach(
+          each -> plot.mark(each.porosity(), each.permeability(), mark, each.ink(), full, size()));
+    }
+  }
+
+  /** A point and its colour. */
+  private record Point(double porosity, double permeability, PlotInk ink) {}
+
+  /** All groups with points, in the order of the legend. */
+  private List<Group> groups() {
+    List<Group> groups = new ArrayList<>();
+    for (Series each : report.series()) {
+      int n = groups.size();
+      List<Point> points =
+          each.drawn().stream()
+              .map(row -> new Point(Series.porosity(row), Series.permeability(row), ink(row)))
+              .toList();
+      if (!points.isEmpty()) {
+        groups.add(new Group(each.name(), mark(n), isFull(n), points));
+      }
+    }
+    int label = 0;
+    for (Map.Entry<String, List<GivenPoint>> each : report.pointsByLabel().entrySet()) {
+      List<Point> points =
+          each.getValue().stream()
+              .filter(CrossPlot::hasLogarithms)
+              .map(
+                  point ->
+                      new Point(
+                          point.porosity(),
+                          point.permeability(),
+                          point.axis().map(CrossPlot::ink).orElse(PlotInk.DARK)))
+              .toList();
+      if (!points.isEmpty()) {
+        groups.add(new Group(each.getKey(), givenMark(label++), true, points));
+      }
+    }
+    return groups;
   }
 
   private void draw(Drawing drawing) {
@@ -151,45 +205,24 @@ public final class CrossPlot {
         List<Double> seen = seen(curve::permeability, curve::reaches);
         if (seen.size() > 1) {
           curve(plot, seen, curve::permeability, PlotInk.GREY, dashes(band));
-          double last = seen.get(seen.size() - 1);
-          plot.label(last, curve.permeability(last), curve.name());
+          if (band.curves().size() > 1) {
+            double last = seen.get(seen.size() - 1);
+            plot.label(last, curve.permeability(last), curve.name());
+          }
         }
       }
     }
-    List<SurveyReport.Fit> fits = drawnFits();
+    List<SurveyStudy.Fit> fits = drawnFits();
     for (int n = 0; n < fits.size(); n++) {
-      SurveyReport.Fit fit = fits.get(n);
+      SurveyStudy.Fit fit = fits.get(n);
       List<Double> seen = seen(fit.curve()::permeability, porosity -> porosity < 1);
       if (seen.size() > 1) {
         curve(plot, seen, fit.curve()::permeability, PlotInk.DARK, fitDashes(n));
       }
     }
-    int label = 0;
-    for (List<GivenPoint> each : report.pointsByLabel().values()) {
-      for (GivenPoint point : each) {
-        if (point.porosity() > 0 && point.permeability() > 0) {
-          plot.mark(
-              point.porosity(),
-              point.permeability(),
-              givenMark(label),
-              point.axis().map(CrossPlot::ink).orElse(PlotInk.DARK),
-              true,
-              markSize());
-        }
-      }
-      label++;
-    }
-    for (int n = 0; n < report.series().size(); n++) {
-      for (SurveyRow row : report.series().get(n).drawn()) {
-        plot.mark(
-            Series.porosity(row),
-            Series.permeability(row),
-            mark(n),
-            ink(row),
-            isFull(n),
-            markSize());
-      }
-    }
+    groups().stream() // crowds below, few above
+        .sorted(Comparator.comparingInt(each -> -each.points().size()))
+        .forEach(each -> each.draw(plot));
     legend(drawing);
   }
 
@@ -204,8 +237,8 @@ public final class CrossPlot {
     return MORE_FIT_DASHES.get(number % MORE_FIT_DASHES.size());
   }
 
-  private List<SurveyReport.Fit> drawnFits() {
-    return report.fits().stream().filter(SurveyReport.Fit::drawn).toList();
+  private List<SurveyStudy.Fit> drawnFits() {
+    return report.fits().stream().filter(SurveyStudy.Fit::drawn).toList();
   }
 
   /** Porosities across the plot at which a curve lies within it. */
@@ -272,32 +305,15 @@ public final class CrossPlot {
                       left + 8, at - 5, Drawing.SWATCH, Drawing.SWATCH, PlotInk.GREY.light()),
               "flow not converged"));
     }
-    for (int n = 0; n < report.series().size(); n++) {
-      int number = n;
-      if (!report.series().get(n).drawn().isEmpty()) {
-        entries.add(
-            new Entry(
-                (on, left, at) ->
-                    on.mark(
-                        left + 13,
-                        at,
-                        mark(number),
-                        PlotInk.DARK.light(),
-                        isFull(number),
-                        markSize()),
-                report.series().get(n).name()));
-      }
-    }
-    int label = 0;
-    for (Map.Entry<String, List<GivenPoint>> each : report.pointsByLabel().entrySet()) {
-      Mark mark = givenMark(label++);
+    for (Group each : groups()) {
       entries.add(
           new Entry(
               (on, left, at) ->
-                  on.mark(left + 13, at, mark, PlotInk.DARK.light(), true, markSize()),
-              each.getKey()));
+                  on.mark(
+                      left + 13, at, each.mark(), PlotInk.DARK.light(), each.full(), each.size()),
+              each.name()));
     }
-    List<SurveyReport.Fit> fits = drawnFits();
+    List<SurveyStudy.Fit> fits = drawnFits();
     for (int n = 0; n < fits.size(); n++) {
       String dashes = fitDashes(n);
       entries.add(
@@ -312,7 +328,8 @@ public final class CrossPlot {
     }
     for (ReferenceBand band : report.bands()) {
       entries.add(
-          new Entry((on, left, at) -> line(on, left, at, PlotInk.GREY, dashes(band)), legend(band)));
+          new Entry(
+              (on, left, at) -> line(on, left, at, PlotInk.GREY, dashes(band)), legend(band)));
     }
     return entries;
   }

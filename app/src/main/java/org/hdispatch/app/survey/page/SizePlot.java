@@ -1,13 +1,16 @@
 package org.hdispatch.app.survey.page;
 
 import java.util.ArrayList;
+import java.util.Arrays;
 import java.util.List;
 import java.util.Locale;
 import java.util.Map;
+import java.util.function.DoubleFunction;
 import org.hdispatch.app.draw.Drawing.Mark;
 import org.hdispatch.app.draw.LinearAxis;
 import org.hdispatch.app.draw.LogPlot;
 import org.hdispatch.app.draw.LogPlot.Scale;
+import org.hdispatch.app.draw.PlotAxis;
 import org.hdispatch.app.draw.PlotInk;
 import org.hdispatch.app.text.Numbers;
 import org.hdispatch.porous.image.Axis;
@@ -20,9 +23,9 @@ final class SizePlot {
   private static final List<PlotInk> INKS = List.of(PlotInk.FIRST, PlotInk.SECOND, PlotInk.THIRD);
   private static final double ASIDE = 1.035; // so that bars do not hide each other
 
-  private final SurveyReport report;
+  private final SurveyStudy report;
 
-  SizePlot(SurveyReport report) {
+  SizePlot(SurveyStudy report) {
     this.report = report;
   }
 
@@ -45,6 +48,44 @@ final class SizePlot {
   /** A curve of a plot. */
   private record Curve(String name, PlotInk ink, List<Point> points) {}
 
+  /** Edges of blocks, logarithmic, with a number at each that there is. */
+  private record EdgeAxis(Scale scale, List<Double> ticks) implements PlotAxis {
+    static EdgeAxis of(double[] edges) {
+      return new EdgeAxis(
+          Scale.close(
+              "edge of a block, voxels",
+              edges[0],
+              edges[edges.length - 1],
+              value -> Numbers.plain(value, 3)),
+          Arrays.stream(edges).boxed().toList());
+    }
+
+    @Override
+    public String title() {
+      return scale.title();
+    }
+
+    @Override
+    public double least() {
+      return scale.least();
+    }
+
+    @Override
+    public double most() {
+      return scale.most();
+    }
+
+    @Override
+    public DoubleFunction<String> label() {
+      return scale.label();
+    }
+
+    @Override
+    public double place(double value) {
+      return scale.place(value);
+    }
+  }
+
   /** The pictures, as SVG: those that have at least two sizes to show. */
   List<String> pictures() {
     List<String> pictures = new ArrayList<>();
@@ -61,21 +102,23 @@ final class SizePlot {
                       .map(scale -> new Point(scale.edge(), scale.porosity()))
                       .toList())));
     }
-    for (SurveyReport.Rev rev : report.revs()) {
+    for (SurveyStudy.Rev rev : report.revs()) {
       List<BlockScale> scales = rev.scales();
       String of = rev.first().name().replace(", " + rev.first().blockWords(), "");
-      add(
-          pictures,
-          "Porosity of the blocks of " + of,
-          "porosity",
-          List.of(
-              new Curve(
-                  "",
-                  PlotInk.FIRST,
-                  scales.stream()
-                      .filter(scale -> scale.porosity().count() > 0)
-                      .map(scale -> new Point(scale.edge(), scale.porosity()))
-                      .toList())));
+      if (!report.porosities().containsKey(rev.first().rock())) {
+        add(
+            pictures,
+            "Porosity of the blocks of " + of,
+            "porosity",
+            List.of(
+                new Curve(
+                    "",
+                    PlotInk.FIRST,
+                    scales.stream()
+                        .filter(scale -> scale.porosity().count() > 0)
+                        .map(scale -> new Point(scale.edge(), scale.porosity()))
+                        .toList())));
+      }
       List<Curve> curves = new ArrayList<>();
       for (Axis axis : Axis.values()) {
         List<Point> points =
@@ -113,16 +156,8 @@ final class SizePlot {
     if (edges.length < 2 || !(most > 0)) {
       return;
     }
-    LogPlot plot =
-        LogPlot.headed(
-            heading,
-            Scale.close(
-                "edge of a block, voxels",
-                edges[0],
-                edges[edges.length - 1],
-                value -> Numbers.plain(value, 3)),
-            new LinearAxis(title, 1.05 * most));
-    double aside = 1;
+    LogPlot plot = LogPlot.headed(heading, EdgeAxis.of(edges), new LinearAxis(title, 1.05 * most));
+    double aside = Math.pow(ASIDE, (1 - curves.size()) / 2.0);
     for (Curve curve : curves) {
       double[] xs = new double[curve.points().size()];
       double[] ys = new double[xs.length];

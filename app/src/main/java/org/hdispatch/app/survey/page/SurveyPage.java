@@ -30,7 +30,7 @@ public final class SurveyPage {
   private static final int MOST_BLOCKS = 400; // in a table
   private static final int MOST_LAYERS = 12; // in a map
 
-  private final SurveyReport report;
+  private final SurveyStudy report;
   private final Map<String, List<Photo>> slices;
 
   /**
@@ -39,7 +39,7 @@ public final class SurveyPage {
    * @param report what it is about
    * @param slices pictures of each rock, if its image is there
    */
-  public SurveyPage(SurveyReport report, Map<String, List<Photo>> slices) {
+  public SurveyPage(SurveyStudy report, Map<String, List<Photo>> slices) {
     this.report = report;
     this.slices = new LinkedHashMap<>(slices);
   }
@@ -108,7 +108,7 @@ public final class SurveyPage {
       page.figure("Mean and standard deviation by the edge of the blocks.", pictures);
     }
     List<List<String>> rows = new ArrayList<>();
-    for (SurveyReport.Rev rev : report.revs()) {
+    for (SurveyStudy.Rev rev : report.revs()) {
       rows.add(List.of(rev.first().name().replace(", " + rev.first().blockWords(), "")));
       for (BlockScale scale : rev.scales()) {
         rows.add(size(Numbers.plain(scale.edge(), 4), "porosity", scale.porosity(), ""));

@@ -30,7 +30,7 @@ import org.hdispatch.porous.survey.SurveyStatus;
  * @param bands reference bands to draw
  * @param porosities porosity by the size of cubes of whole images, by rock
  */
-public record SurveyReport(
+public record SurveyStudy(
     List<Series> series,
     List<GivenPoint> points,
     List<ReferenceBand> bands,
@@ -38,7 +38,7 @@ public record SurveyReport(
   private static final int FEW = 3; // points for a fit that is worth drawing
 
   /** Keeps copies. */
-  public SurveyReport {
+  public SurveyStudy {
     series = List.copyOf(series);
     points = List.copyOf(points);
     bands = List.copyOf(bands);
@@ -55,7 +55,7 @@ public record SurveyReport(
   record Fit(Series of, KozenyCarman curve, boolean drawn) {
     /** Constant with its error. */
     String words() {
-      String constant = "C = " + Numbers.significant(curve.constant(), 3) + " mD";
+      String constant = "C = " + Numbers.significant(1e-3 * curve.constant(), 3) + " D";
       return Double.isNaN(curve.error())
           ? constant
           : constant + " \u00b1 " + Numbers.significant(100 * curve.error(), 2) + " %";
