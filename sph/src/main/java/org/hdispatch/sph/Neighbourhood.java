@@ -38,7 +38,10 @@ public final class Neighbourhood {
   /** Plane of P/n^2. */
   public static final int PRESSURE = 7;
 
-  /** Plane of the dynamic viscosity, or of its inverse for harmonic means. */
+  /**
+   * Plane of the dynamic viscosity, or of its inverse for harmonic means; 0: of {@link
+   * Phase#TOUCHED}.
+   */
   public static final int VISCOSITY = 8;
 
   /** Plane of the depth in the wall, 0 in a fluid. */

@@ -67,8 +67,11 @@ public record PairModel(
     return Math.max(LEAST_SHARE, 1 + bend / (2 * viscosity * volume * nearness * nearness));
   }
 
-  /** What the plane VISCOSITY holds for a phase of this dynamic viscosity. */
+  /**
+   * What the plane VISCOSITY holds for a phase of this dynamic viscosity: 0 for {@link
+   * Phase#TOUCHED}, which stands for the value of the particle that sums are taken for.
+   */
   public double plane(double viscosity) {
-    return mean == ViscosityMean.HARMONIC ? 1 / viscosity : viscosity;
+    return mean == ViscosityMean.HARMONIC && viscosity != Phase.TOUCHED ? 1 / viscosity : viscosity;
   }
 }

@@ -8,22 +8,29 @@ import java.util.Objects;
  * @param name in texts
  * @param solid whether it is a solid
  * @param mass m of one particle
- * @param viscosity dynamic viscosity mu; of a solid that of the fluid at its surface
+ * @param viscosity dynamic viscosity mu; of a solid {@link #TOUCHED}, or less than the fluid's
+ *     where it is to slip
  * @param state pressure from density; that of a solid keeps fluid out
  */
 public record Phase(
     String name, boolean solid, double mass, double viscosity, EquationOfState state) {
 
+  /** Viscosity of a solid on which fluid sticks: that of whatever fluid touches it. */
+  public static final double TOUCHED = 0;
+
   /**
    * Checks mass and viscosity.
    *
-   * @throws IllegalArgumentException if either is not positive
+   * @throws IllegalArgumentException if either is not positive, but for the viscosity {@link
+   *     #TOUCHED} of a solid
    */
   public Phase {
     Objects.requireNonNull(name, "name");
     Objects.requireNonNull(state, "state");
     Checks.positive("mass of a particle of " + name, "m", mass);
-    Checks.positive("viscosity of " + name, "mu", viscosity);
+    if (!solid || viscosity != TOUCHED) {
+      Checks.positive("viscosity of " + name, "mu", viscosity);
+    }
   }
 
   /**
@@ -35,9 +42,9 @@ public record Phase(
     return new Phase(name, false, mass, viscosity, state);
   }
 
-  /** A solid at whose surface this fluid is at rest pressure. */
+  /** A solid at whose surface this fluid is at rest pressure, and every fluid sticks. */
   public static Phase wallOf(Phase fluid) {
-    return new Phase("wall of " + fluid.name, true, fluid.mass, fluid.viscosity, fluid.state);
+    return new Phase("wall of " + fluid.name, true, fluid.mass, TOUCHED, fluid.state);
   }
 
   /** Kinematic viscosity nu = mu/rho0. */

@@ -209,7 +209,8 @@ final class ScalarSums implements PairSums {
       int n = picked[k];
       double free = Math.fma(values[depth + n], nearness, 1);
       double wall = free > most ? most : free;
-      double pair = own * values[volume + n] * weights[k] * (mu + values[viscosity + n]);
+      double other = values[viscosity + n];
+      double pair = own * values[volume + n] * weights[k] * (mu + (other == 0 ? mu : other));
       drag[k] = pair * wall;
       bend[k] = pair * free * (free - 1);
     }
@@ -229,8 +230,9 @@ final class ScalarSums implements PairSums {
       int n = picked[k];
       double free = Math.fma(values[depth + n], nearness, 1);
       double wall = free > most ? most : free;
-      double pair =
-          own * values[volume + n] * weights[k] * (4 / (fluidity + values[viscosity + n]));
+      double other = values[viscosity + n];
+      double both = fluidity + (other == 0 ? fluidity : other);
+      double pair = own * values[volume + n] * weights[k] * (4 / both);
       drag[k] = pair * wall;
       bend[k] = pair * free * (free - 1);
     }

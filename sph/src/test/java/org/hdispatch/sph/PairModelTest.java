@@ -51,7 +51,9 @@ class PairModelTest {
       planes[Neighbourhood.DEPTH][n] = depth.at(x, y);
     }
     Arrays.fill(planes[Neighbourhood.VOLUME], 1);
-    Arrays.fill(planes[Neighbourhood.VISCOSITY], model.plane(MU));
+    Arrays.setAll(
+        planes[Neighbourhood.VISCOSITY],
+        n -> model.plane(planes[Neighbourhood.DEPTH][n] > 0 ? Phase.TOUCHED : MU));
     Neighbourhood near = Neighbourhood.of(planes, count / 2, 1, new double[] {1 / DISTANCE});
     NeighbourList list = new NeighbourList();
     PairSums sums = SumForm.SCALAR.of(model).get();

@@ -73,6 +73,16 @@ class SetupCheckTest {
   }
 
   @Test
+  void fluidMustHaveAViscosity() {
+    EquationOfState state = EquationOfState.linear(1000, 2.5e-4, 0);
+    IllegalArgumentException thrown =
+        assertThrows(
+            IllegalArgumentException.class, () -> Phase.fluid("oil", 1, Phase.TOUCHED, state));
+    assertTrue(thrown.getMessage().contains("viscosity of oil"), thrown.getMessage());
+    assertEquals(Phase.TOUCHED, Phase.wallOf(water(1)).viscosity());
+  }
+
+  @Test
   void fluidMustNotLieInWalls() {
     refused(FLOW.settings(), new Particles().add(0, DX, DX, 0), "in a wall", "particle=0");
   }

@@ -148,6 +148,7 @@ final class WendlandSums extends VectorSums {
     DoubleVector viscosity = DoubleVector.broadcast(QUAD, v[viscosities + own]);
     DoubleVector near = DoubleVector.broadcast(QUAD, nearness);
     DoubleVector most = DoubleVector.broadcast(QUAD, wallFactor);
+    DoubleVector zero = DoubleVector.broadcast(QUAD, 0);
     DoubleVector scale = DoubleVector.broadcast(QUAD, inverseLength);
     DoubleVector least = DoubleVector.broadcast(QUAD, LEAST_SQUARE);
     DoubleVector sumX = DoubleVector.broadcast(QUAD, 0);
@@ -171,7 +172,9 @@ final class WendlandSums extends VectorSums {
       DoubleVector depth = DoubleVector.fromArray(QUAD, v, depths + last);
       DoubleVector free = depth.fma(near, DoubleVector.broadcast(QUAD, 1));
       DoubleVector wall = free.blend(most, free.compare(VectorOperators.GT, most));
-      DoubleVector mu = DoubleVector.fromArray(QUAD, v, viscosities + last).add(viscosity);
+      DoubleVector other = DoubleVector.fromArray(QUAD, v, viscosities + last);
+      DoubleVector touched = other.blend(viscosity, other.compare(VectorOperators.EQ, zero));
+      DoubleVector mu = touched.add(viscosity);
       DoubleVector bare = volume.mul(volumeJ).mul(slope);
       DoubleVector pair = bare.mul(mu);
       DoubleVector drag = pair.mul(wall);
@@ -197,7 +200,9 @@ final class WendlandSums extends VectorSums {
     DoubleVector depth = DoubleVector.fromArray(QUAD, v, depths + last);
     DoubleVector free = depth.fma(near, DoubleVector.broadcast(QUAD, 1));
     DoubleVector wall = free.blend(most, free.compare(VectorOperators.GT, most));
-    DoubleVector mu = DoubleVector.fromArray(QUAD, v, viscosities + last).add(viscosity);
+    DoubleVector other = DoubleVector.fromArray(QUAD, v, viscosities + last);
+    DoubleVector touched = other.blend(viscosity, other.compare(VectorOperators.EQ, zero));
+    DoubleVector mu = touched.add(viscosity);
     DoubleVector bare = volume.mul(volumeJ).mul(slope);
     DoubleVector pair = bare.mul(mu);
     DoubleVector drag = pair.mul(wall);
@@ -249,6 +254,7 @@ final class WendlandSums extends VectorSums {
     DoubleVector viscosity = DoubleVector.broadcast(QUAD, v[viscosities + own]);
     DoubleVector near = DoubleVector.broadcast(QUAD, nearness);
     DoubleVector most = DoubleVector.broadcast(QUAD, wallFactor);
+    DoubleVector zero = DoubleVector.broadcast(QUAD, 0);
     DoubleVector scale = DoubleVector.broadcast(QUAD, inverseLength);
     DoubleVector least = DoubleVector.broadcast(QUAD, LEAST_SQUARE);
     DoubleVector sumX = DoubleVector.broadcast(QUAD, 0);
@@ -272,7 +278,9 @@ final class WendlandSums extends VectorSums {
       DoubleVector depth = DoubleVector.fromArray(QUAD, v, depths + last);
       DoubleVector free = depth.fma(near, DoubleVector.broadcast(QUAD, 1));
       DoubleVector wall = free.blend(most, free.compare(VectorOperators.GT, most));
-      DoubleVector mu = DoubleVector.fromArray(QUAD, v, viscosities + last).add(viscosity);
+      DoubleVector other = DoubleVector.fromArray(QUAD, v, viscosities + last);
+      DoubleVector touched = other.blend(viscosity, other.compare(VectorOperators.EQ, zero));
+      DoubleVector mu = touched.add(viscosity);
       DoubleVector bare = volume.mul(volumeJ).mul(slope);
       DoubleVector pair = bare.mul(DoubleVector.broadcast(QUAD, 4).div(mu));
       DoubleVector drag = pair.mul(wall);
@@ -298,7 +306,9 @@ final class WendlandSums extends VectorSums {
     DoubleVector depth = DoubleVector.fromArray(QUAD, v, depths + last);
     DoubleVector free = depth.fma(near, DoubleVector.broadcast(QUAD, 1));
     DoubleVector wall = free.blend(most, free.compare(VectorOperators.GT, most));
-    DoubleVector mu = DoubleVector.fromArray(QUAD, v, viscosities + last).add(viscosity);
+    DoubleVector other = DoubleVector.fromArray(QUAD, v, viscosities + last);
+    DoubleVector touched = other.blend(viscosity, other.compare(VectorOperators.EQ, zero));
+    DoubleVector mu = touched.add(viscosity);
     DoubleVector bare = volume.mul(volumeJ).mul(slope);
     DoubleVector pair = bare.mul(DoubleVector.broadcast(QUAD, 4).div(mu));
     DoubleVector drag = pair.mul(wall);

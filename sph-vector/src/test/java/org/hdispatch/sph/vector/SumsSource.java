@@ -188,7 +188,9 @@ enum SumsSource {
           DoubleVector depth = DoubleVector.fromArray(QUAD, v, depths + last);
           DoubleVector free = depth.fma(near, constant(1));
           DoubleVector wall = free.blend(most, free.compare(VectorOperators.GT, most));
-          DoubleVector mu = DoubleVector.fromArray(QUAD, v, viscosities + last).add(viscosity);
+          DoubleVector other = DoubleVector.fromArray(QUAD, v, viscosities + last);
+          DoubleVector touched = other.blend(viscosity, other.compare(VectorOperators.EQ, zero));
+          DoubleVector mu = touched.add(viscosity);
           DoubleVector bare = volume.mul(volumeJ).mul(slope);
           DoubleVector pair = bare.mul(PAIR);
           DoubleVector drag = pair.mul(wall);
@@ -288,6 +290,7 @@ enum SumsSource {
                 DoubleVector viscosity = constant(v[viscosities + own]);
                 DoubleVector near = constant(nearness);
                 DoubleVector most = constant(wallFactor);
+                DoubleVector zero = constant(0);
             """);
   }
 

@@ -14,6 +14,7 @@ import org.hdispatch.sph.NeighbourList;
 import org.hdispatch.sph.Neighbourhood;
 import org.hdispatch.sph.PairModel;
 import org.hdispatch.sph.PairSums;
+import org.hdispatch.sph.Phase;
 import org.hdispatch.sph.QuinticSpline;
 import org.hdispatch.sph.SmoothingKernel;
 import org.hdispatch.sph.SumForm;
@@ -108,6 +109,11 @@ class VectorSumsTest {
       planes[axis][count - 1] = planes[axis][0];
     }
     Arrays.setAll(planes[Neighbourhood.DEPTH], n -> n % 3 == 0 ? random.nextDouble() : 0);
+    for (int n = 0; n < count; n += 3) {
+      if (n < own || n >= own + fluids) {
+        planes[Neighbourhood.VISCOSITY][n] = Phase.TOUCHED;
+      }
+    }
     double[] nearness = new double[fluids];
     Arrays.setAll(nearness, n -> 4 * random.nextDouble());
     return Neighbourhood.of(planes, own, ownCount, nearness);

@@ -1,15 +1,19 @@
 package org.hdispatch.sph.cases;
 
+import static org.junit.jupiter.api.Assertions.assertArrayEquals;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import org.hdispatch.dispatch.Dispatcher;
 import org.hdispatch.dispatch.TimeLoop;
+import org.hdispatch.sph.Particles;
 import org.hdispatch.sph.SphScheme;
+import org.hdispatch.sph.SphSchemeBuilder;
 import org.hdispatch.sph.ViscosityMean;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
+import org.junit.jupiter.params.provider.EnumSource;
 
 /** Two fluids of unlike density and viscosity side by side. */
 class LayersValidationTest {
@@ -35,6 +39,31 @@ class LayersValidationTest {
           }
         });
     assertEquals(0, Math.sqrt(sums[0] / sums[1]) / sums[2], allowed);
+  }
+
+  /** Each fluid sticks to any wall as to its own; the densities of these fluids are one. */
+  @ParameterizedTest
+  @EnumSource(ViscosityMean.class)
+  void wallHasTheViscosityOfTheFluidThatTouchesIt(ViscosityMean mean) {
+    LayeredPoiseuille flow = new LayeredPoiseuille(ACROSS, 1, 4);
+    SphSchemeBuilder settings = flow.settings().viscosityMean(mean);
+    double[][] velocities = new double[2][flow.particles().count()];
+    for (int swapped = 0; swapped < 2; swapped++) {
+      Particles particles = flow.particles();
+      Particles walled = new Particles();
+      for (int n = 0; n < particles.count(); n++) {
+        int phase = particles.phase(n);
+        int other = phase < 2 || swapped == 0 ? phase : 5 - phase;
+        walled.add(other, particles.x(n), particles.y(n), particles.z(n));
+      }
+      SphScheme scheme = settings.build(walled);
+      try (Dispatcher dispatcher = Dispatcher.withWorkers(1)) {
+        dispatcher.loop(scheme).run(50);
+      }
+      double[] along = velocities[swapped];
+      scheme.forEachParticle((id, phase, x, y, z, u, v, w, n, p) -> along[id] = u);
+    }
+    assertArrayEquals(velocities[0], velocities[1]);
   }
 
   /** Alike, the layers are one: F s (L - s)/(2 nu), and its slope. */
