@@ -2,9 +2,12 @@ package org.hdispatch.app;
 
 import static org.junit.jupiter.api.Assertions.assertArrayEquals;
 import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.io.IOException;
+import java.io.PrintWriter;
+import java.io.StringWriter;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
@@ -384,6 +387,38 @@ class PermeabilityCommandTest {
     assertTrue(number(json, "permeability_voxel2") > 0);
     Cli table = Cli.run("permeability", "--method=sph", SMALL, "--max-steps=40");
     assertTrue(table.out().contains("smoothed particle hydrodynamics"), table.out());
+  }
+
+  /** Ctrl-C once the first progress is shown. */
+  @Test
+  void interruptionOfParticlesLeavesNoFile() {
+    Path result = folder.resolve("result");
+    StringWriter out = new StringWriter();
+    StringWriter err =
+        new StringWriter() {
+          @Override
+          public void write(String text, int from, int length) {
+            super.write(text, from, length);
+            if (text.contains("step ")) {
+              Thread.currentThread().interrupt();
+            }
+          }
+        };
+    int code =
+        HDispatch.run(
+            new Host(Runtime.getRuntime().maxMemory(), true),
+            new PrintWriter(out),
+            new PrintWriter(err),
+            "permeability",
+            "--method=sph",
+            SMALL,
+            "--output=" + result);
+    assertTrue(Thread.interrupted());
+    assertEquals(130, code, err.toString());
+    assertEquals("", out.toString());
+    String[] lines = err.toString().split("\r");
+    assertEquals("hdispatch: interrupted\n", lines[lines.length - 1]);
+    assertFalse(Files.exists(result));
   }
 
   @Test
