@@ -65,8 +65,8 @@ final class ErrorOfSteadyState {
   /**
    * Of particles whose pressure is corrected between samples. Pressures that alternate from one
    * particle to the next drive hardly any flow; so they are found by diffusion, and k creeps to its
-   * final value as the inverse root of the steps. Of a change D1 over the last w of n samples so
-   * much is then still to come: D1/((1 - w/n)^(-1/2) - 1), at least.
+   * final value as the inverse root of the steps. After a change D over the second half of the
+   * steps D/(sqrt(2) - 1) is then still to come, at least; so long a window is not fooled by turns.
    *
    * @param tolerance relative error that is aimed at
    */
@@ -100,7 +100,7 @@ final class ErrorOfSteadyState {
 
   /** Estimated relative error of the last k; infinite as long as there are too few samples. */
   double estimate() {
-    return Math.max(extrapolatedDecay(), Math.max(unsettled, momentum));
+    return Math.max(Math.max(extrapolatedDecay(), creep()), Math.max(unsettled, momentum));
   }
 
   private double extrapolatedDecay() {
@@ -118,9 +118,16 @@ final class ErrorOfSteadyState {
       return Double.POSITIVE_INFINITY;
     }
     double ratio = Math.max(leastRatio, recent / before);
-    double decay = ratio / (1 - ratio);
-    double creep = creeping ? 1 / (1 / Math.sqrt(1 - (double) window / count) - 1) : 0;
-    return relative * Math.max(decay, creep);
+    return relative * ratio / (1 - ratio);
+  }
+
+  private double creep() {
+    if (!creeping || count < 2) {
+      return 0;
+    }
+    int half = count / 2;
+    double change = range(count - 1 - half, count - 1) / Math.abs(values[count - 1]);
+    return change / (1 / Math.sqrt(1 - (double) half / count) - 1);
   }
 
   private double range(int first, int last) {
