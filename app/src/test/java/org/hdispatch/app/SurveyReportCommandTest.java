@@ -220,6 +220,23 @@ class SurveyReportCommandTest {
   }
 
   @Test
+  void tensorsAndTheUpscaledSampleAreShownIfTheyLieBesideTheRows() throws Exception {
+    Path survey = survey("a", SAMPLE, "lbm", 16, 100);
+    Files.writeString(
+        survey.resolve("survey-tensor.csv"),
+        "block,permeability_xx_voxel2,permeability_xy_voxel2,other\n0,0.123456,,1\n3,2.5,,1\n");
+    Files.writeString(survey.resolve("upscale.csv"), "axis,permeability_mD\nz,1234.5678\n");
+    assertEquals(0, report(survey).code());
+    Document page = page();
+    assertTrue(texts(page, "h2").contains("Tensors and the whole: " + SAMPLE + ", 16\u00b3, LBM"));
+    assertTrue(texts(page, "th").contains("k xx, voxel\u00b2"));
+    assertFalse(texts(page, "th").contains("k xy, voxel\u00b2")); // as it is empty
+    assertTrue(texts(page, "td").containsAll(List.of("0.123", "2.5", "1230")));
+    Files.writeString(survey.resolve("upscale.csv"), "axis,permeability_mD\nz\n");
+    report(survey).assertRefused(3, "as many values as the header");
+  }
+
+  @Test
   void commandOfTheSurveyIsSaid() throws Exception {
     report(survey("a", "my rock.raw", "lbm", 16, 100), "--quiet");
     String command = texts(page(), "pre").get(0);

@@ -16,6 +16,7 @@ import org.hdispatch.app.draw.StudyPage.Photo;
 import org.hdispatch.app.text.Numbers;
 import org.hdispatch.porous.image.Axis;
 import org.hdispatch.porous.image.VoxelBox;
+import org.hdispatch.porous.io.ImageFileException;
 import org.hdispatch.porous.survey.BlockScale;
 import org.hdispatch.porous.survey.KozenyCarman;
 import org.hdispatch.porous.survey.PorosityScale;
@@ -49,8 +50,10 @@ public final class SurveyPage {
    *
    * @param command that draws it again
    * @param files that lie beside it
+   * @throws ImageFileException if a table of tensors or of the upscaled sample that lies beside a
+   *     survey cannot be read
    */
-  public String html(String command, List<String> files) {
+  public String html(String command, List<String> files) throws ImageFileException {
     StudyPage page =
         new StudyPage(
             "Survey of "
@@ -69,6 +72,9 @@ public final class SurveyPage {
     }
     for (Series each : report.series()) {
       blocks(page, each);
+    }
+    for (Series each : report.series()) {
+      beside(page, each);
     }
     settings(page);
     page.section("Do it again");
@@ -290,6 +296,24 @@ public final class SurveyPage {
   private static String figure(SurveyRow row, String column) {
     OptionalDouble value = row.number(column);
     return value.isPresent() ? Numbers.significant(value.getAsDouble(), DIGITS) : "";
+  }
+
+  private static void beside(StudyPage page, Series of) throws ImageFileException {
+    List<TableBeside> tables = TableBeside.of(of.table().folder());
+    if (tables.isEmpty()) {
+      return;
+    }
+    page.section("Tensors and the whole: " + of.name());
+    for (TableBeside each : tables) {
+      List<List<String>> rows = each.rows();
+      page.table(
+          each.title()
+              + (rows.size() > MOST_BLOCKS
+                  ? ". The first " + MOST_BLOCKS + " of " + rows.size() + "."
+                  : "."),
+          each.head(),
+          rows.subList(0, Math.min(rows.size(), MOST_BLOCKS)));
+    }
   }
 
   private void settings(StudyPage page) {
