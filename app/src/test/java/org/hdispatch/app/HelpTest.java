@@ -24,7 +24,7 @@ class HelpTest {
 
   @Test
   void everyCommandHelpsAndTellsItsVersion() {
-    assertEquals(14 + ReadyCase.values().length, commands().size());
+    assertEquals(15 + ReadyCase.values().length, commands().size());
     for (CommandLine command : commands()) {
       List<String> words =
           new ArrayList<>(List.of(command.getCommandSpec().qualifiedName().split(" ")));
