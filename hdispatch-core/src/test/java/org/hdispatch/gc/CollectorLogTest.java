@@ -38,11 +38,17 @@ class CollectorLogTest {
   private static final double ROUNDING = 500;
 
   /**
-   * Other collectors give log and recorder the same two readings of the clock; Shenandoah's log
-   * reads it before and after the recorder (ShenandoahPausePhase of HotSpot), and what lies between
-   * is an entry in a list at each end: a microsecond or two, however long the pause.
+   * G1 and ZGC give log and recorder the same two readings of the clock; Shenandoah's log reads it
+   * before and after the recorder (ShenandoahPausePhase of HotSpot), and what lies between is an
+   * entry in a list at each end: a microsecond or two, however long the pause.
    */
   private static final double ENTRIES = 4_000;
+
+  /**
+   * Parallel begins to record before it logs, and ends later: some 70 microseconds of its work
+   * before and after a collection, as seen.
+   */
+  private static final double WORK = 100_000;
 
   /** Log and recorder read the clock one after the other at both ends of a safepoint. */
   private static final double READINGS = 12_000;
@@ -94,7 +100,8 @@ class CollectorLogTest {
         assertTrue(pauses.size() >= seen.size());
         assertClose(sum(pauses), sum(seen), pauses.size() * ROUNDING);
       }
-      case "Shenandoah" -> assertLogHoldsThePauses(pauses, seen);
+      case "Parallel" -> assertHold(seen, pauses, WORK);
+      case "Shenandoah" -> assertHold(pauses, seen, ENTRIES);
       default -> {
         assertEquals(pauses.size(), seen.size());
         for (int n = 0; n < pauses.size(); n++) {
@@ -108,18 +115,20 @@ class CollectorLogTest {
     assertTrue(number(said, "peakHeapBytes") > 20_000_000, () -> said.get("peakHeapBytes"));
   }
 
-  /** No pause was logged shorter than seen, and most no longer than by the entries. */
-  private static void assertLogHoldsThePauses(List<Double> logged, List<Double> seen) {
-    assertEquals(logged.size(), seen.size());
+  /**
+   * No outer time is shorter than the inner one, and most are no longer than by what is between.
+   */
+  private static void assertHold(List<Double> outer, List<Double> inner, double between) {
+    assertEquals(outer.size(), inner.size());
     int alike = 0;
-    for (int n = 0; n < logged.size(); n++) {
-      double longer = logged.get(n) - seen.get(n);
-      double slack = TOLERANCE * logged.get(n) + ROUNDING;
-      assertTrue(longer >= -slack, () -> "logged shorter by " + -longer + " ns");
-      alike += longer <= slack + ENTRIES ? 1 : 0;
+    for (int n = 0; n < outer.size(); n++) {
+      double longer = outer.get(n) - inner.get(n);
+      double slack = TOLERANCE * outer.get(n) + ROUNDING;
+      assertTrue(longer >= -slack, () -> "shorter by " + -longer + " ns");
+      alike += longer <= slack + between ? 1 : 0;
     }
-    int most = logged.size() / 2 + 1;
-    assertTrue(alike >= most, alike + " of " + logged.size() + " pauses alike");
+    int most = outer.size() / 2 + 1;
+    assertTrue(alike >= most, alike + " of " + outer.size() + " pauses alike");
   }
 
   private static boolean inWindow(Matcher line, Map<String, String> said) {
