@@ -18,23 +18,9 @@ final class CollectorWatch implements FlowListener, AutoCloseable {
    * The recorder starts at once and not with the first step: in JDK 17 its first start changes
    * classes of the JDK, and with that the JVM drops all code it has compiled so far.
    */
-  private final GcWatch watch;
+  private final GcWatch watch = GcWatch.start();
   private boolean begun;
   private boolean warm;
-
-  /** Starts to watch. */
-  CollectorWatch() {
-    this(GcWatch.start());
-  }
-
-  private CollectorWatch(GcWatch watch) {
-    this.watch = watch;
-  }
-
-  /** Starts to watch while the caller goes on: for what has to read an image first. */
-  static CollectorWatch startAside() {
-    return new CollectorWatch(GcWatch.startAside());
-  }
 
   /** A part of a run. */
   enum Part {

@@ -60,13 +60,6 @@ final class PermeabilityCommand implements Callable<Integer> {
     PhysicalFlow fluid = fluidOptions.fluid();
     threadOptions.threads();
     List<Axis> axes = axisOption.axes();
-    try (CollectorWatch collector = CollectorWatch.startAside()) {
-      return run(choice, fluid, axes, collector);
-    }
-  }
-
-  private int run(FlowChoice choice, PhysicalFlow fluid, List<Axis> axes, CollectorWatch collector)
-      throws ImageFileException {
     int finer = methodOptions.refine();
     Rock whole =
         spheres.packing().isPresent()
@@ -78,10 +71,10 @@ final class PermeabilityCommand implements Callable<Integer> {
     }
     gcReport.check();
     if (output.folder().isEmpty()) {
-      return compute(rock, choice, fluid, axes, collector, Optional.empty());
+      return compute(rock, choice, fluid, axes, Optional.empty());
     }
     try (OutputFolder folder = OutputFolder.open(output.folder().get())) {
-      return compute(rock, choice, fluid, axes, collector, Optional.of(folder));
+      return compute(rock, choice, fluid, axes, Optional.of(folder));
     }
   }
 
@@ -90,11 +83,10 @@ final class PermeabilityCommand implements Callable<Integer> {
       FlowChoice choice,
       PhysicalFlow fluid,
       List<Axis> axes,
-      CollectorWatch collector,
       Optional<OutputFolder> folder)
       throws ImageFileException {
     return axes.size() == 1
-        ? report(compute(rock, choice.along(axes.get(0)), fluid, collector), folder)
+        ? report(compute(rock, choice.along(axes.get(0)), fluid), folder)
         : tensor(rock, choice, fluid, folder);
   }
 
@@ -108,10 +100,7 @@ final class PermeabilityCommand implements Callable<Integer> {
     List<Optional<PermeabilityColumn>> columns = new ArrayList<>();
     int code = ExitCode.DONE.code();
     for (Axis axis : Axis.values()) {
-      Outcome outcome;
-      try (CollectorWatch own = new CollectorWatch()) {
-        outcome = compute(rock, choice.along(axis), fluid, own);
-      }
+      Outcome outcome = compute(rock, choice.along(axis), fluid);
       FlatRow row = OutcomeRow.of(outcome);
       rows.add(row);
       text.append(OutcomeTable.of(outcome)).append(System.lineSeparator());
@@ -143,9 +132,9 @@ final class PermeabilityCommand implements Callable<Integer> {
     }
   }
 
-  private Outcome compute(
-      Rock rock, FlowChoice choice, PhysicalFlow fluid, CollectorWatch collector) {
-    try (ProgressLine progress = new ProgressLine(err(), rock.voxelEdge());
+  private Outcome compute(Rock rock, FlowChoice choice, PhysicalFlow fluid) {
+    try (CollectorWatch collector = new CollectorWatch();
+        ProgressLine progress = new ProgressLine(err(), rock.voxelEdge());
         Dispatcher dispatcher = Dispatcher.withWorkers(threadOptions.threads())) {
       List<FlowListener> listeners = new ArrayList<>(List.of(collector));
       if (host.terminal() && !output.quiet()) {

@@ -6,8 +6,6 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
-import java.util.concurrent.ExecutionException;
-import java.util.concurrent.FutureTask;
 import jdk.jfr.FlightRecorder;
 import jdk.jfr.Recording;
 
@@ -31,15 +29,17 @@ import jdk.jfr.Recording;
  * windows. While open, the recorder writes to the folder of temporary files and allocates a little
  * on threads of its own.
  *
- * <p>For one thread at a time. Several watches may be open at the same time.
+ * <p>For one thread. Several watches may be open at the same time.
  */
 public final class GcWatch implements AutoCloseable {
 
+  private final Recording recording; // null: beans only
   private final List<long[]> beanReadings = new ArrayList<>(); // collections, pauses, pause ms
-  private final FutureTask<Recording> starting = new FutureTask<>(this::begin); // null: beans only
   private List<GcReport> windows;
 
-  private GcWatch() {}
+  private GcWatch(Recording recording) {
+    this.recording = recording;
+  }
 
   /**
    * Starts to watch; the first window begins when this returns.
@@ -47,50 +47,9 @@ public final class GcWatch implements AutoCloseable {
    * @return an open watch
    */
   public static GcWatch start() {
-    GcWatch watch = new GcWatch();
-    watch.starting.run();
+    GcWatch watch = new GcWatch(FlightRecorder.isAvailable() ? startRecording() : null);
+    watch.mark();
     return watch;
-  }
-
-  /**
-   * As {@link #start}, but returns at once: the recorder, whose first start in a JVM takes some
-   * tenths of a second, starts on a thread of its own. The first window begins when it has; what is
-   * asked of the watch waits until then.
-   *
-   * @return an open watch
-   */
-  public static GcWatch startAside() {
-    GcWatch watch = new GcWatch();
-    Thread thread = new Thread(watch.starting, "hdispatch-gc-watch");
-    thread.setDaemon(true);
-    thread.start();
-    return watch;
-  }
-
-  private Recording begin() {
-    Recording recording = FlightRecorder.isAvailable() ? startRecording() : null;
-    mark(recording);
-    return recording;
-  }
-
-  /** The recording, once it has started. */
-  private Recording recording() {
-    boolean interrupted = false;
-    try {
-      while (true) {
-        try {
-          return starting.get();
-        } catch (InterruptedException e) {
-          interrupted = true;
-        }
-      }
-    } catch (ExecutionException e) {
-      throw new IllegalStateException("recorder must start: cause=" + e.getCause(), e);
-    } finally {
-      if (interrupted) {
-        Thread.currentThread().interrupt();
-      }
-    }
   }
 
   /**
@@ -102,10 +61,6 @@ public final class GcWatch implements AutoCloseable {
     if (windows != null) {
       throw new IllegalStateException("watch must be open to be marked");
     }
-    mark(recording());
-  }
-
-  private void mark(Recording recording) {
     if (recording == null) {
       beanReadings.add(CollectorBeans.read());
     } else {
@@ -123,7 +78,6 @@ public final class GcWatch implements AutoCloseable {
   public List<GcReport> stop() {
     if (windows == null) {
       mark();
-      Recording recording = recording();
       windows = recording == null ? CollectorBeans.reports(beanReadings) : readAndClose(recording);
     }
     return windows;
@@ -134,7 +88,6 @@ public final class GcWatch implements AutoCloseable {
   public void close() {
     if (windows == null) {
       windows = List.of();
-      Recording recording = recording();
       if (recording != null) {
         recording.close();
       }

@@ -42,23 +42,6 @@ class GcWatchTest {
   }
 
   @Test
-  void startsAside() {
-    try (GcWatch watch = GcWatch.startAside()) {
-      watch.mark();
-      System.gc();
-      List<GcReport> windows = watch.stop();
-      assertEquals(2, windows.size());
-      assertTrue(windows.get(1).collections() >= 1, windows::toString);
-    }
-    try (GcWatch watch = GcWatch.startAside()) {
-      Thread.currentThread().interrupt();
-      watch.mark();
-      assertTrue(Thread.interrupted());
-    }
-    GcWatch.startAside().close();
-  }
-
-  @Test
   void threadsAreStoppedForLongerThanTheCollectorPauses() {
     try (GcWatch watch = GcWatch.start()) {
       System.gc();
