@@ -2,8 +2,8 @@ package org.hdispatch.app;
 
 import java.io.IOException;
 import java.io.UncheckedIOException;
-import java.util.Optional;
 import java.nio.file.Path;
+import java.util.Optional;
 import org.hdispatch.app.text.Table;
 import org.hdispatch.porous.block.BlockColumns;
 import org.hdispatch.porous.io.CsvLine;

@@ -1,14 +1,14 @@
 package org.hdispatch.app;
 
 import org.hdispatch.gc.GcWatch;
+import org.hdispatch.porous.block.BlockSettings;
 import picocli.CommandLine.IVersionProvider;
 
 /** Versions of H-Dispatch, Java and the collector. */
 final class Version implements IVersionProvider {
-  /** Version of the project, from the manifest of its jar. */
+  /** Version of the project, as in the rows of surveys. */
   static String ofProject() {
-    String version = Version.class.getPackage().getImplementationVersion();
-    return version == null ? "development" : version;
+    return BlockSettings.version();
   }
 
   /** Version of the Java runtime. */

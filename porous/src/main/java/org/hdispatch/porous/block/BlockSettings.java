@@ -152,8 +152,8 @@ public record BlockSettings(
     return values;
   }
 
-  /** Version of the project, from the manifest of its jar. */
-  private static String version() {
+  /** Version of the project, from the manifest of its jar; {@code development} of loose classes. */
+  public static String version() {
     String version = BlockSettings.class.getPackage().getImplementationVersion();
     return version == null ? "development" : version;
   }
