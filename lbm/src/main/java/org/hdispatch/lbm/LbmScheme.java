@@ -186,7 +186,7 @@ public final class LbmScheme implements Scheme<NodalBundle, LbmScheme.Scratch> {
     private final Rows out;
     final ChunkRows chunk;
     final ChunkRows arriving; // for fluxes
-    final NodeState state = new NodeState();
+    final NodeRows nodes = new NodeRows(); // those of the chunk
     private final Immersion.Worker immersed; // null: nothing is
     private final int[] numbers = new int[ChunkRows.NODES]; // of the chunk's nodes
 

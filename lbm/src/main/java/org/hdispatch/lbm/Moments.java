@@ -71,26 +71,15 @@ final class Moments {
   /** Adds density and momentum to the nodes of a bundle. */
   void add(NodalBundle bundle, LbmScheme.Scratch scratch, LbmScheme.NodeChange change) {
     ChunkCursor cursor = scratch.cursor;
-    LbmScheme.NodeState state = scratch.state;
-    NodeRuns runs = bundle.runs();
-    int run = 0;
+    NodeRows nodes = scratch.nodes;
+    nodes.begin();
     cursor.begin(bundle.plan());
     while (cursor.next()) {
       cursor.read(phase.previous(), phase.streamed(), scratch.chunk);
       scratch.chunk.widen(cursor.nodes());
-      for (int k = 0; k < cursor.nodes(); k++) {
-        run = runs.run(cursor.node(k), run);
-        int place = runs.position(cursor.node(k), run);
-        state.density = 0;
-        state.ux = 0;
-        state.uy = 0;
-        state.uz = 0;
-        change.at(bundle.xAt(place), bundle.yAt(place), bundle.zAt(place), state);
-        for (int i = 0; i < set.size(); i++) {
-          double along = set.cx(i) * state.ux + set.cy(i) * state.uy + set.cz(i) * state.uz;
-          scratch.chunk.wide[set.opposite(i)][k] += set.weight(i) * (state.density + 3 * along);
-        }
-      }
+      nodes.locate(bundle, cursor);
+      nodes.ask(cursor.nodes(), change);
+      nodes.addTo(scratch.chunk.wide, cursor.nodes(), set);
       scratch.chunk.narrow(cursor.nodes());
       cursor.write(phase.previous(), phase.streamed(), scratch.chunk);
     }
@@ -103,47 +92,23 @@ final class Moments {
       BodyForce force,
       LbmScheme.NodeVisitor visitor) {
     ChunkCursor cursor = scratch.cursor;
-    NodeRuns runs = bundle.runs();
-    int run = 0;
+    NodeRows nodes = scratch.nodes;
+    nodes.begin();
     cursor.begin(bundle.plan());
     while (cursor.next()) {
       cursor.read(phase.previous(), phase.streamed(), scratch.chunk);
       scratch.chunk.widen(cursor.nodes());
-      for (int k = 0; k < cursor.nodes(); k++) {
-        run = runs.run(cursor.node(k), run);
-        int place = runs.position(cursor.node(k), run);
-        visit(bundle, place, scratch.chunk.wide, k, force, visitor);
-      }
+      nodes.locate(bundle, cursor);
+      nodes.sumMomentum(scratch.chunk.wide, cursor.nodes(), set, force);
+      nodes.show(cursor.nodes(), visitor);
     }
-  }
-
-  /** Row i holds what left the node against velocity i. */
-  private void visit(
-      NodalBundle bundle,
-      int place,
-      double[][] rows,
-      int k,
-      BodyForce force,
-      LbmScheme.NodeVisitor visitor) {
-    double d = rows[0][k];
-    double jx = -force.x() / 2;
-    double jy = -force.y() / 2;
-    double jz = -force.z() / 2;
-    for (int i = 1; i < rows.length; i += 2) {
-      double a = rows[i + 1][k] - rows[i][k];
-      d += rows[i + 1][k] + rows[i][k];
-      jx += set.cx(i) * a;
-      jy += set.cy(i) * a;
-      jz += set.cz(i) * a;
-    }
-    visitor.visit(bundle.xAt(place), bundle.yAt(place), bundle.zAt(place), 1 + d, jx, jy, jz);
   }
 
   /** Visits the nodes of a bundle with the mass flux through each. */
   void forEachFlux(NodalBundle bundle, LbmScheme.Scratch scratch, LbmScheme.NodeVisitor visitor) {
     ChunkCursor cursor = scratch.cursor;
-    NodeRuns runs = bundle.runs();
-    int run = 0;
+    NodeRows nodes = scratch.nodes;
+    nodes.begin();
     cursor.begin(bundle.plan());
     while (cursor.next()) {
       cursor.read(phase.previous(), phase.streamed(), scratch.chunk);
@@ -151,34 +116,9 @@ final class Moments {
       cursor.read(phase.previous(), phase.readsNeighbours(), scratch.arriving);
       scratch.arriving.widen(cursor.nodes());
       bundle.faceLinks().arrive(phase.previous(), cursor, scratch.arriving.wide);
-      for (int k = 0; k < cursor.nodes(); k++) {
-        run = runs.run(cursor.node(k), run);
-        int place = runs.position(cursor.node(k), run);
-        flux(bundle, place, scratch, k, visitor);
-      }
+      nodes.locate(bundle, cursor);
+      nodes.sumFlux(scratch.chunk.wide, scratch.arriving.wide, cursor.nodes(), set);
+      nodes.show(cursor.nodes(), visitor);
     }
-  }
-
-  /** What left the node and what arrives there next, row i against and along velocity i. */
-  private void flux(
-      NodalBundle bundle,
-      int place,
-      LbmScheme.Scratch scratch,
-      int k,
-      LbmScheme.NodeVisitor visitor) {
-    double[][] left = scratch.chunk.wide;
-    double[][] arriving = scratch.arriving.wide;
-    double d = left[0][k];
-    double jx = 0;
-    double jy = 0;
-    double jz = 0;
-    for (int i = 1; i < left.length; i += 2) {
-      double a = (left[i + 1][k] - left[i][k] + arriving[i][k] - arriving[i + 1][k]) / 2;
-      d += left[i + 1][k] + left[i][k];
-      jx += set.cx(i) * a;
-      jy += set.cy(i) * a;
-      jz += set.cz(i) * a;
-    }
-    visitor.visit(bundle.xAt(place), bundle.yAt(place), bundle.zAt(place), 1 + d, jx, jy, jz);
   }
 }

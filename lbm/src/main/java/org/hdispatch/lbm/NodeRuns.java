@@ -28,7 +28,9 @@ final class NodeRuns {
     }
     firstNode = Arrays.copyOf(first, runs);
     firstPosition = new int[runs];
-    Arrays.setAll(firstPosition, run -> positions[firstNode[run]]);
+    for (int run = 0; run < runs; run++) {
+      firstPosition[run] = positions[first[run]];
+    }
   }
 
   int nodes() {
@@ -37,23 +39,25 @@ final class NodeRuns {
 
   /** Position of a node. */
   int position(int node) {
-    return position(node, run(node, 0));
+    return position(node, run(node));
+  }
+
+  private int run(int node) {
+    int found = Arrays.binarySearch(firstNode, node);
+    return found >= 0 ? found : -found - 2;
   }
 
   /**
    * Number of the run that a node lies in.
    *
-   * @param guess number of a run: quickly found if it or the next one is right, as when nodes are
-   *     asked for in order
+   * @param guess number of a run: that of the node before, when nodes are asked for in order
    */
   int run(int node, int guess) {
-    for (int run = guess; run < firstNode.length && run < guess + 2; run++) {
-      if (node >= firstNode[run] && (run + 1 == firstNode.length || node < firstNode[run + 1])) {
-        return run;
-      }
+    int run = node < firstNode[guess] ? run(node) : guess;
+    while (run + 1 < firstNode.length && node >= firstNode[run + 1]) {
+      run++;
     }
-    int found = Arrays.binarySearch(firstNode, node);
-    return found >= 0 ? found : -found - 2;
+    return run;
   }
 
   /** Position of a node of a run. */
