@@ -9,7 +9,7 @@ import org.hdispatch.cell.KeyOrder;
 
 /**
  * Cuts a lattice into nodal bundles. A box without fluid nodes gets no bundle (the selective
- * hash-tabling of Leonardi et al. 2011).
+ * hash-tabling of Leonardi et al. 2011). Boxes are cut, and bundles linked, each by one worker.
  */
 final class BundleMap {
   private final Lattice lattice;
@@ -17,22 +17,32 @@ final class BundleMap {
   private final BundleSize size;
   private final Storage storage;
   private final Streaming streaming;
-  private final int[] found; // positions, of one box at a time
+  private final SetUp setUp;
 
   private BundleMap(
-      Lattice lattice, VelocitySet set, BundleSize size, Storage storage, Streaming streaming) {
+      Lattice lattice,
+      VelocitySet set,
+      BundleSize size,
+      Storage storage,
+      Streaming streaming,
+      SetUp setUp) {
     this.lattice = lattice;
     this.set = set;
     this.size = size.within(lattice);
     this.storage = storage;
     this.streaming = streaming;
-    found = new int[this.size.nodes()];
+    this.setUp = setUp;
   }
 
   /** The bundles of a lattice, linked and at rest. */
   static CellMap<NodalBundle> of(
-      Lattice lattice, VelocitySet set, BundleSize size, Storage storage, Streaming streaming) {
-    return new BundleMap(lattice, set, size, storage, streaming).build();
+      Lattice lattice,
+      VelocitySet set,
+      BundleSize size,
+      Storage storage,
+      Streaming streaming,
+      SetUp setUp) {
+    return new BundleMap(lattice, set, size, storage, streaming, setUp).build();
   }
 
   private CellMap<NodalBundle> build() {
@@ -42,35 +52,53 @@ final class BundleMap {
             pieces(lattice.ny(), size.ny()),
             pieces(lattice.nz(), size.nz()),
             Ends.OPEN);
-    long[] keys = Arrays.stream(grid.keys()).filter(key -> find(key) > 0).toArray();
-    CellMap<NodalBundle> bundles = CellMap.fixed(keys, KeyOrder.MORTON, this::bundle);
-    Linker linker = new Linker(lattice, set, size, bundles);
-    for (int n = 0; n < bundles.size(); n++) {
-      bundles.cellAt(n).link(linker.plan(bundles.cellAt(n)));
-    }
+    CellMap<Box> boxes = CellMap.fixed(grid.keys(), KeyOrder.MORTON, Box::new);
+    setUp.pass("cut", boxes, () -> new int[size.nodes()], this::cut);
+    long[] keys = Arrays.stream(grid.keys()).filter(key -> boxes.get(key).bundle != null).toArray();
+    CellMap<NodalBundle> bundles =
+        CellMap.fixed(keys, KeyOrder.MORTON, key -> boxes.get(key).bundle);
+    setUp.pass(
+        "link",
+        bundles,
+        () -> new Linker(lattice, set, size, bundles),
+        (bundle, linker) -> bundle.link(linker.plan(bundle)));
     return bundles;
+  }
+
+  /** A box of the lattice. */
+  private static final class Box {
+    private final long key;
+    private NodalBundle bundle; // null without fluid nodes
+
+    Box(long key) {
+      this.key = key;
+    }
   }
 
   private static int pieces(int extent, int piece) {
     return (extent - 1) / piece + 1;
   }
 
-  private NodalBundle bundle(long key) {
-    NodeRuns runs = new NodeRuns(found, find(key));
-    return new NodalBundle(
-        key,
-        CellKey.i(key) * size.nx(),
-        CellKey.j(key) * size.ny(),
-        CellKey.k(key) * size.nz(),
-        size,
-        runs,
-        set,
-        storage,
-        streaming);
+  /** Makes the bundle of a box, if there is fluid; {@code found} is scratch. */
+  private void cut(Box box, int[] found) {
+    int nodes = find(box.key, found);
+    if (nodes > 0) {
+      box.bundle =
+          new NodalBundle(
+              box.key,
+              CellKey.i(box.key) * size.nx(),
+              CellKey.j(box.key) * size.ny(),
+              CellKey.k(box.key) * size.nz(),
+              size,
+              new NodeRuns(found, nodes),
+              set,
+              storage,
+              streaming);
+    }
   }
 
   /** Finds the positions of the fluid nodes within a box, increasing, and counts them. */
-  private int find(long key) {
+  private int find(long key, int[] found) {
     int x0 = CellKey.i(key) * size.nx();
     int y0 = CellKey.j(key) * size.ny();
     int z0 = CellKey.k(key) * size.nz();

@@ -35,7 +35,7 @@ public final class LbmScheme implements Scheme<NodalBundle, LbmScheme.Scratch> {
   private final Moments moments;
   private final SavedState savedState;
 
-  LbmScheme(LbmSchemeBuilder builder) {
+  LbmScheme(LbmSchemeBuilder builder, SetUp setUp) {
     set = builder.set;
     relaxation = builder.relaxation;
     force = builder.force;
@@ -47,7 +47,8 @@ public final class LbmScheme implements Scheme<NodalBundle, LbmScheme.Scratch> {
         new Faces(
             builder.lattice, set, builder.equilibrium, builder.symmetric, builder.pressureAxis);
     faces.densities(builder.firstDensity, builder.lastDensity);
-    bundles = BundleMap.of(builder.lattice, set, builder.bundleSize(), storage, builder.streaming);
+    bundles =
+        BundleMap.of(builder.lattice, set, builder.bundleSize(), storage, builder.streaming, setUp);
     if (faces.any()) {
       faces.link(builder.lattice, builder.bundleSize(), bundles);
     }
@@ -64,7 +65,8 @@ public final class LbmScheme implements Scheme<NodalBundle, LbmScheme.Scratch> {
     moments = new Moments(set, builder.equilibrium, phase);
     savedState = new SavedState(builder.lattice, set, bundles, phase);
     acted = force;
-    moments.rest(bundles, scratch, force);
+    setUp.pass(
+        "rest", bundles, this::newScratch, (bundle, own) -> moments.rest(bundle, own, force));
   }
 
   /** Starts a scheme on a lattice: D3Q19, TRT at tau 1, quadratic equilibrium, no force. */

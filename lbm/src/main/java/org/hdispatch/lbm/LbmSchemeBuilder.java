@@ -2,6 +2,9 @@ package org.hdispatch.lbm;
 
 import java.util.Objects;
 import java.util.Optional;
+import java.util.concurrent.CancellationException;
+import org.hdispatch.dispatch.Dispatcher;
+import org.hdispatch.dispatch.KernelException;
 
 /** Settings of a scheme; all but the lattice have a default. */
 public final class LbmSchemeBuilder {
@@ -123,6 +126,18 @@ public final class LbmSchemeBuilder {
 
   /** Cuts the lattice into bundles and puts them at rest. */
   public LbmScheme build() {
-    return new LbmScheme(this);
+    return new LbmScheme(this, SetUp.alone());
+  }
+
+  /**
+   * Lets the workers of a dispatcher cut the lattice: the scheme is the same. Several of them ask
+   * which nodes are fluid at the same time.
+   *
+   * @throws KernelException if a worker fails, out of memory say
+   * @throws CancellationException if the caller was interrupted or the dispatcher closed meanwhile
+   * @throws IllegalStateException if the dispatcher is running a loop already or is closed
+   */
+  public LbmScheme build(Dispatcher dispatcher) {
+    return new LbmScheme(this, SetUp.by(dispatcher));
   }
 }

@@ -1,7 +1,6 @@
 package org.hdispatch.lbm;
 
 import java.util.Arrays;
-import org.hdispatch.cell.CellMap;
 
 /** Density and velocity of the nodes: put into their populations, and taken from them. */
 final class Moments {
@@ -15,19 +14,15 @@ final class Moments {
     this.phase = phase;
   }
 
-  /**
-   * Puts the nodes of all bundles at rest, halfway through the force: each has the same numbers.
-   */
-  void rest(CellMap<NodalBundle> bundles, LbmScheme.Scratch scratch, BodyForce force) {
+  /** Puts the nodes of a bundle at rest, halfway through the force: each has the same numbers. */
+  void rest(NodalBundle bundle, LbmScheme.Scratch scratch, BodyForce force) {
     for (int i = 0; i < set.size(); i++) {
       Arrays.fill(scratch.chunk.wide[set.opposite(i)], leaving(i, 1, 0, 0, 0, force));
     }
     scratch.chunk.narrow(ChunkRows.NODES);
-    for (int n = 0; n < bundles.size(); n++) {
-      scratch.cursor.begin(bundles.cellAt(n).plan());
-      while (scratch.cursor.next()) {
-        scratch.cursor.write(phase.previous(), phase.streamed(), scratch.chunk);
-      }
+    scratch.cursor.begin(bundle.plan());
+    while (scratch.cursor.next()) {
+      scratch.cursor.write(phase.previous(), phase.streamed(), scratch.chunk);
     }
   }
 

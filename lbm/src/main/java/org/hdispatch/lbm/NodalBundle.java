@@ -16,6 +16,7 @@ public final class NodalBundle {
   private final int z0;
   private final int nx;
   private final int ny;
+  private final int nz;
   private final NodeRuns runs;
   private final Populations[] populations;
   private StreamPlan plan;
@@ -38,6 +39,7 @@ public final class NodalBundle {
     this.z0 = z0;
     nx = size.nx();
     ny = size.ny();
+    nz = size.nz();
     this.runs = runs;
     populations = new Populations[streaming.copies()];
     Arrays.setAll(populations, copy -> Populations.of(storage, set, runs.nodes()));
@@ -80,6 +82,16 @@ public final class NodalBundle {
   /** Position of a node within the box. */
   int position(int node) {
     return runs.position(node);
+  }
+
+  /** Where the box of this bundle begins in the lattice, along an axis: 0, 1 or 2. */
+  public int first(int axis) {
+    return axis == 0 ? x0 : axis == 1 ? y0 : z0;
+  }
+
+  /** Extent of the box along an axis; at the far end of the lattice it may reach beyond. */
+  public int extent(int axis) {
+    return axis == 0 ? nx : axis == 1 ? ny : nz;
   }
 
   /** First coordinate of a node in the lattice. */

@@ -332,6 +332,26 @@ class LbmSchemeTest {
     }
   }
 
+  @ParameterizedTest
+  @EnumSource(Streaming.class)
+  void isTheSameWhoeverMakesIt(Streaming streaming) throws IOException {
+    LbmSchemeBuilder builder =
+        flow(VelocitySet.D3Q19, Equilibrium.LINEAR)
+            .streaming(streaming)
+            .symmetryFaces(1)
+            .bundleSize(BundleSize.cube(5));
+    LbmScheme alone = builder.build();
+    double[] reference = run(alone, 1, Handout.PULL, ScratchLifetime.ENDURING);
+    for (int workers = 1; workers <= 3; workers++) {
+      try (Dispatcher dispatcher = Dispatcher.withWorkers(workers)) {
+        LbmScheme scheme = builder.build(dispatcher);
+        assertEquals(alone.bytes(), scheme.bytes());
+        assertArrayEquals(saved(builder.build()), saved(scheme));
+        assertArrayEquals(reference, run(scheme, 2, Handout.PULL, ScratchLifetime.ENDURING));
+      }
+    }
+  }
+
   @Test
   void refusesAnInitialStateThatIsNone() {
     LbmScheme scheme = LbmScheme.on(Flows.duct(3)).build();
@@ -415,6 +435,9 @@ class LbmSchemeTest {
       NodalBundle bundle = scheme.cells().cellAt(n);
       for (int node = 0; node < bundle.nodes(); node++) {
         assertTrue(lattice.fluid(bundle.x(node), bundle.y(node), bundle.z(node)));
+        assertEquals(0, (bundle.x(node) - bundle.first(0)) / bundle.extent(0));
+        assertEquals(0, (bundle.y(node) - bundle.first(1)) / bundle.extent(1));
+        assertEquals(0, (bundle.z(node) - bundle.first(2)) / bundle.extent(2));
         seen.add(bundle.x(node) + NX * (bundle.y(node) + NY * bundle.z(node)));
       }
     }

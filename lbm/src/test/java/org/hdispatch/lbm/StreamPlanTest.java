@@ -96,7 +96,7 @@ class StreamPlanTest {
     Labelled(Lattice lattice, VelocitySet set, BundleSize size) {
       this.lattice = lattice;
       this.set = set;
-      bundles = BundleMap.of(lattice, set, size, Storage.DOUBLE, Streaming.PULL);
+      bundles = BundleMap.of(lattice, set, size, Storage.DOUBLE, Streaming.PULL, SetUp.alone());
       for (int n = 0; n < bundles.size(); n++) {
         NodalBundle bundle = bundles.cellAt(n);
         for (int node = 0; node < bundle.nodes(); node++) {

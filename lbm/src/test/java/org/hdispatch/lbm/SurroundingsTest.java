@@ -30,7 +30,8 @@ class SurroundingsTest {
   private static boolean open(Lattice box, int x, int y, int z, int dx, int dy, int dz) {
     BundleSize size = BundleSize.cube(3);
     CellMap<NodalBundle> bundles =
-        BundleMap.of(box, VelocitySet.D3Q15, size, Storage.DOUBLE, Streaming.IN_PLACE);
+        BundleMap.of(
+            box, VelocitySet.D3Q15, size, Storage.DOUBLE, Streaming.IN_PLACE, SetUp.alone());
     Surroundings surroundings = new Surroundings(box, size, bundles);
     surroundings.look(bundles.cellAt(0));
     return surroundings.open(surroundings.place(x, y, z), dx, dy, dz);

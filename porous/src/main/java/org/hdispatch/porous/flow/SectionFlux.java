@@ -167,15 +167,9 @@ final class SectionFlux {
 
     Part(NodalBundle bundle) {
       this.bundle = bundle;
-      int least = Integer.MAX_VALUE;
-      int most = Integer.MIN_VALUE;
-      for (int node = 0; node < bundle.nodes(); node++) {
-        int section = section(bundle.x(node), bundle.y(node), bundle.z(node));
-        least = Math.min(least, section);
-        most = Math.max(most, section);
-      }
-      firstSection = least;
-      sums = new double[most - least + 1];
+      int axis = domain.axis().ordinal();
+      firstSection = bundle.first(axis) - domain.layers();
+      sums = new double[bundle.extent(axis)];
       densities = new double[sums.length];
       counts = new int[sums.length];
     }

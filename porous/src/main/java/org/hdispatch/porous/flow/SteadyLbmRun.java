@@ -79,7 +79,7 @@ final class SteadyLbmRun implements Stepping.Flow {
             .force(along(options.axis(), force));
     domain.bound(builder);
     domain.bodies().ifPresent(builder::immersion);
-    scheme = builder.build();
+    scheme = builder.build(dispatcher);
     loop = dispatcher.loop(scheme);
     stepping = new Stepping(loop, options, listener, WARM_UP_STEPS);
     long begin = System.nanoTime();
