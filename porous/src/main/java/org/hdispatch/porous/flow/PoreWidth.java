@@ -47,30 +47,14 @@ final class PoreWidth {
     int block = round + stride; // the voxels whose rows along the axis lie side by side
     long faces = 0;
     for (int from = 0; from < rock.voxels(); from += block) {
-      faces += changes(rock, from, from + round, stride);
+      faces += rock.differences(from, from + round, stride);
       if (walled) {
-        faces += pores(rock, from, stride) + pores(rock, from + round, stride);
+        faces += rock.poreVoxels(from, from + stride);
+        faces += rock.poreVoxels(from + round, from + block);
       } else if (ends == Ends.PERIODIC) {
-        faces += changes(rock, from, from + stride, round);
+        faces += rock.differences(from, from + stride, round);
       }
     }
     return faces;
-  }
-
-  /** How many voxels from one place to another differ from the one a distance behind. */
-  private static int changes(PoreSpace rock, int from, int to, int distance) {
-    int changes = 0;
-    for (int n = from; n < to; n++) {
-      changes += rock.isPore(n) == rock.isPore(n + distance) ? 0 : 1;
-    }
-    return changes;
-  }
-
-  private static int pores(PoreSpace rock, int from, int count) {
-    int pores = 0;
-    for (int n = from; n < from + count; n++) {
-      pores += rock.isPore(n) ? 1 : 0;
-    }
-    return pores;
   }
 }

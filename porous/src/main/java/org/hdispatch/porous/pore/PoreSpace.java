@@ -26,11 +26,7 @@ public final class PoreSpace {
     this.ny = ny;
     this.nz = nz;
     this.pore = pore;
-    int count = 0;
-    for (byte each : pore) {
-      count += each;
-    }
-    this.poreVoxels = count;
+    this.poreVoxels = poreVoxels(0, pore.length);
   }
 
   /** Says of a voxel whether it is pore. */
@@ -187,6 +183,38 @@ public final class PoreSpace {
    */
   public double porosity() {
     return (double) poreVoxels / pore.length;
+  }
+
+  /**
+   * Number of pore voxels in a stretch of the flat order.
+   *
+   * @param from place of the first voxel
+   * @param to place behind the last one
+   * @return pore voxels
+   */
+  public int poreVoxels(int from, int to) {
+    int count = 0;
+    for (int i = from; i < to; i++) {
+      count += pore[i];
+    }
+    return count;
+  }
+
+  /**
+   * Number of voxels in a stretch of the flat order whose phase is not that of the voxel a distance
+   * behind.
+   *
+   * @param from place of the first voxel
+   * @param to place behind the last one
+   * @param distance places from a voxel to the one that it is compared with
+   * @return how many differ
+   */
+  public int differences(int from, int to, int distance) {
+    int count = 0;
+    for (int i = from; i < to; i++) {
+      count += pore[i] ^ pore[i + distance];
+    }
+    return count;
   }
 
   /** The flags themselves, {@link #PORE} or {@link #SOLID}; nobody writes to them. */

@@ -38,6 +38,16 @@ class PoreSpaceTest {
   }
 
   @Test
+  void countsPoresAndDifferencesOfAStretch() {
+    PoreSpace space = PoreSpace.of(3, 2, 1, (x, y, z) -> x == 1 || y == 1 && x == 2); // 010 011
+    assertEquals(1, space.poreVoxels(0, 3));
+    assertEquals(2, space.poreVoxels(4, 6));
+    assertEquals(0, space.poreVoxels(2, 2));
+    assertEquals(2, space.differences(0, 2, 1));
+    assertEquals(1, space.differences(0, 3, 3));
+  }
+
+  @Test
   void sizesThatNoArrayHoldsAreRefused() {
     assertThrows(
         IllegalArgumentException.class, () -> PoreSpace.of(2000, 2000, 2000, (x, y, z) -> true));
