@@ -14,14 +14,11 @@ import org.hdispatch.porous.image.Axis;
 /**
  * Flow by Darcy's law from node to node: u = K/nu (g - grad p), div u = sources, a Laplace problem
  * on the fluid nodes of a domain, whatever method it is then used by. The mobility K of a node is
- * the profile of laminar flow through its pore, laplacian K = -1 with K = 0 on the walls: in a slit
- * it is the flow itself.
+ * that of its {@link ChordProfile}: in a slit it is the flow itself.
  *
  * <p>Every bit is the same for any number of workers.
  */
 final class DarcyFlow {
-  // Looser or tighter, k changes by 1e-6 of itself and the steps stay the same (Berea, 128³).
-  private static final double PROFILE_TOLERANCE = 1e-2;
   private static final double START_TOLERANCE = 1e-3;
   private static final double CORRECTION_TOLERANCE = 0.3;
   private static final int MOST_ITERATIONS = 100;
@@ -49,8 +46,12 @@ final class DarcyFlow {
     lattice = domain.lattice();
     axis = domain.axis();
     field = new double[Math.multiplyExact(lattice.nx() * lattice.ny(), lattice.nz())];
-    mobility = profiles(dispatcher);
-    PoissonProblem.Builder between = problem().mobility((x, y, z) -> mobility[index(x, y, z)]);
+    mobility = new double[field.length];
+    ChordProfile.find(dispatcher, domain, mobility);
+    PoissonProblem.Builder between =
+        PoissonProblem.box(lattice.nx(), lattice.ny(), lattice.nz())
+            .ends(lattice.x(), lattice.y(), lattice.z())
+            .mobility((x, y, z) -> mobility[index(x, y, z)]);
     for (Side side : Side.values()) {
       if (domain.isPressed(side.axis())) {
         between.fixed(side, 0); // what drives the flow is the force
@@ -58,32 +59,6 @@ final class DarcyFlow {
     }
     solver = ConjugateGradients.on(dispatcher, between.build());
     copy = (x, y, z, p) -> field[index(x, y, z)] = p;
-  }
-
-  private PoissonProblem.Builder problem() {
-    return PoissonProblem.box(lattice.nx(), lattice.ny(), lattice.nz())
-        .ends(lattice.x(), lattice.y(), lattice.z());
-  }
-
-  /**
-   * The profile of laminar flow at each node. The half spacing to the wall makes the discrete one
-   * too large by 1/8 at every node of a slit.
-   */
-  private double[] profiles(Dispatcher dispatcher) {
-    PoissonProblem.Builder walled =
-        problem().mobility((x, y, z) -> lattice.nodes().fluid(x, y, z) ? 1 : 0).fixedWalls(0);
-    for (Side side : Side.values()) {
-      if (domain.isWalled(side.axis())) {
-        walled.fixed(side, 0);
-      }
-    }
-    ConjugateGradients profile = ConjugateGradients.on(dispatcher, walled.build());
-    profile.addSources((x, y, z) -> 1);
-    profile.solve(PROFILE_TOLERANCE, MOST_ITERATIONS);
-    double[] profiles = new double[field.length];
-    profile.forEachNodeAtOnce(
-        (x, y, z, value) -> profiles[index(x, y, z)] = Math.max(value - 0.125, value / 2));
-    return profiles;
   }
 
   private int index(int x, int y, int z) {
