@@ -11,9 +11,9 @@ import picocli.CommandLine.Model.CommandSpec;
  *
  * @param spec the command
  * @param host whether somebody watches
- * @param output what is wanted of it
+ * @param quiet whether neither progress nor warnings are wanted
  */
-record CommandConsole(CommandSpec spec, Host host, OutputOptions output) {
+record CommandConsole(CommandSpec spec, Host host, boolean quiet) {
   /** Prints the result. */
   void print(String text) throws ImageFileException {
     out().print(text);
@@ -24,7 +24,7 @@ record CommandConsole(CommandSpec spec, Host host, OutputOptions output) {
 
   /** Whether progress is to be shown. */
   boolean isWatched() {
-    return host.terminal() && !output.quiet();
+    return host.terminal() && !quiet;
   }
 
   PrintWriter out() {
@@ -37,7 +37,7 @@ record CommandConsole(CommandSpec spec, Host host, OutputOptions output) {
 
   /** Warns in a line, if that is wanted. */
   void warn(String line) {
-    if (!output.quiet()) {
+    if (!quiet) {
       err().println("hdispatch: warning: " + line);
     }
   }

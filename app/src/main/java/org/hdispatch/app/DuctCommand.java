@@ -137,7 +137,7 @@ final class DuctCommand implements Callable<Integer> {
   }
 
   private CommandConsole console() {
-    return new CommandConsole(spec, host, output);
+    return new CommandConsole(spec, host, output.quiet());
   }
 
   private void checkCombinations() {

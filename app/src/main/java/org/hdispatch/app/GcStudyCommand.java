@@ -1,7 +1,6 @@
 package org.hdispatch.app;
 
 import java.io.IOException;
-import java.io.PrintWriter;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
@@ -195,12 +194,12 @@ final class GcStudyCommand implements Callable<Integer> {
         scope.quick ? StudyScope.QUICK : scope.full ? StudyScope.FULL : StudyScope.USUAL;
     double length = seconds != null ? seconds : scope.quick ? QUICK_SECONDS : USUAL_SECONDS;
     long begin = System.nanoTime();
-    try (StatusLine status = new StatusLine(spec.commandLine().getErr())) {
+    try (StatusLine status = new StatusLine(console().err())) {
       GcStudy study = new GcStudy(jdks, which, forks, threads, length, output);
       tell(study.foreign());
       study.run(
           (what, number, of) -> {
-            if (host.terminal() && !quiet) {
+            if (console().isWatched()) {
               status.show("run " + number + " of " + of + left(begin, number, of) + what);
             }
           });
@@ -212,8 +211,8 @@ final class GcStudyCommand implements Callable<Integer> {
   /** That runs which are there cannot be used. */
   private void tell(List<List<String>> foreign) {
     if (!foreign.isEmpty()) {
-      spec.commandLine()
-          .getErr()
+      console()
+          .err()
           .println(
               "hdispatch: runs in the folder differ from what would be run now, and are made anew:"
                   + " runs="
@@ -251,11 +250,12 @@ final class GcStudyCommand implements Callable<Integer> {
     folder.write(files.get(0), FlatRow.toCsv(GcStudyTable.rows(rows)));
     folder.write(files.get(1), json);
     folder.write(NAME + ".html", GcPage.html(rows, command, files));
-    PrintWriter out = spec.commandLine().getOut();
-    out.println(GcStudyTable.text(rows));
-    GcVerdict.sentences(rows).forEach(out::println);
-    if (out.checkError()) {
-      throw new ImageFileException("standard output must be writable");
-    }
+    console().out().println(GcStudyTable.text(rows));
+    GcVerdict.sentences(rows).forEach(console().out()::println);
+    console().print(""); // which looks whether all could be printed
+  }
+
+  private CommandConsole console() {
+    return new CommandConsole(spec, host, quiet);
   }
 }

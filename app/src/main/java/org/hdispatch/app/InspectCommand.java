@@ -1,6 +1,5 @@
 package org.hdispatch.app;
 
-import java.io.PrintWriter;
 import java.util.concurrent.Callable;
 import org.hdispatch.porous.image.VoxelBox;
 import org.hdispatch.porous.image.VoxelImage;
@@ -52,10 +51,7 @@ final class InspectCommand implements Callable<Integer> {
   private void look(Inspection inspection) throws ImageFileException {
     VoxelImage image = Rock.read(inspection.source(), inspection.box(), host);
     inspection.look(image);
-    PrintWriter out = spec.commandLine().getOut();
-    out.print(output.form(inspection.row(), inspection.table()));
-    if (out.checkError()) {
-      throw new ImageFileException("standard output must be writable");
-    }
+    new CommandConsole(spec, host, output.quiet())
+        .print(output.form(inspection.row(), inspection.table()));
   }
 }

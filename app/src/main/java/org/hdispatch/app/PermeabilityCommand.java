@@ -1,7 +1,5 @@
 package org.hdispatch.app;
 
-import java.io.PrintWriter;
-import java.io.UncheckedIOException;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
@@ -117,7 +115,7 @@ final class PermeabilityCommand implements Callable<Integer> {
     Table table = new Table();
     tensor.putInto(table);
     FlatRow summary = tensor.putInto(new FlatRow());
-    print(output.form(summary, rows, text.append(table).toString()));
+    console().print(output.form(summary, rows, text.append(table).toString()));
     if (folder.isPresent()) {
       folder.get().write("tensor.json", summary.toJson());
     }
@@ -134,44 +132,32 @@ final class PermeabilityCommand implements Callable<Integer> {
 
   private Outcome compute(Rock rock, FlowChoice choice, PhysicalFlow fluid) {
     try (CollectorWatch collector = new CollectorWatch();
-        ProgressLine progress = new ProgressLine(err(), rock.voxelEdge());
+        ProgressLine progress = new ProgressLine(console().err(), rock.voxelEdge());
         Dispatcher dispatcher = Dispatcher.withWorkers(threadOptions.threads())) {
       List<FlowListener> listeners = new ArrayList<>(List.of(collector));
-      if (host.terminal() && !output.quiet()) {
+      if (console().isWatched()) {
         listeners.add(progress);
       }
       FlowListener all = new Listeners(listeners);
       SteadyFlow flow = choice.solve(dispatcher, rock.pores(), all);
       return new Outcome(
-          choice.method(), rock, fluid, flow, threadOptions.threads(), figures(collector));
-    }
-  }
-
-  private Optional<CollectorWatch.Figures> figures(CollectorWatch collector) {
-    try {
-      return Optional.of(collector.figures());
-    } catch (UncheckedIOException e) { // a pity, but k is worth more
-      warn("figures of the collector must be readable: cause=" + e.getCause());
-      return Optional.empty();
+          choice.method(),
+          rock,
+          fluid,
+          flow,
+          threadOptions.threads(),
+          console().figures(collector));
     }
   }
 
   private int report(Outcome outcome, Optional<OutputFolder> folder) throws ImageFileException {
     FlatRow row = OutcomeRow.of(outcome);
-    print(output.form(row, OutcomeTable.of(outcome)));
+    console().print(output.form(row, OutcomeTable.of(outcome)));
     if (folder.isPresent()) {
       write(outcome, row, folder.get());
     }
     gcReport.write(outcome.collectorReport());
     return judge(outcome);
-  }
-
-  private void print(String text) throws ImageFileException {
-    PrintWriter out = spec.commandLine().getOut();
-    out.print(text);
-    if (out.checkError()) {
-      throw new ImageFileException("standard output must be writable");
-    }
   }
 
   private static void write(Outcome outcome, FlatRow row, OutputFolder folder)
@@ -184,9 +170,10 @@ final class PermeabilityCommand implements Callable<Integer> {
   private int judge(Outcome outcome) {
     OptionalDouble reynolds = outcome.reynolds();
     if (reynolds.isPresent() && reynolds.getAsDouble() > DARCY_REYNOLDS) {
-      warn(
-          "Reynolds number should be below 1 for Darcy's law to hold at this pressure gradient: Re="
-              + Numbers.significant(reynolds.getAsDouble(), 3));
+      console()
+          .warn(
+              "Reynolds number should be below 1 for Darcy's law to hold at this pressure gradient: Re="
+                  + Numbers.significant(reynolds.getAsDouble(), 3));
     }
     if (outcome.rock().solid().isPresent()) {
       warnOfImmersion(outcome);
@@ -196,22 +183,24 @@ final class PermeabilityCommand implements Callable<Integer> {
 
   private void warnOfImmersion(Outcome outcome) {
     if (spheres.packing().isEmpty() && settings.solidFractionRange().isEmpty()) {
-      warn(
-          "immersed boundaries bring nothing to a segmented image (grey values need"
-              + " --solid-fraction-range): image="
-              + outcome.rock().name());
+      console()
+          .warn(
+              "immersed boundaries bring nothing to a segmented image (grey values need"
+                  + " --solid-fraction-range): image="
+                  + outcome.rock().name());
     }
     if (outcome.percolates()) {
       double tau = outcome.flow().chosen().relaxationTime();
       String caution = ImmersedBodies.caution(outcome.options().collision().at(tau));
       if (!caution.isEmpty()) {
-        warn(caution);
+        console().warn(caution);
       }
     }
   }
 
   private int notConverged(Outcome outcome) {
-    err()
+    console()
+        .err()
         .println(
             "hdispatch: permeability must converge (give more --max-steps): steps="
                 + outcome.flow().work().steps()
@@ -222,14 +211,8 @@ final class PermeabilityCommand implements Callable<Integer> {
     return ExitCode.NOT_CONVERGED.code();
   }
 
-  private PrintWriter err() {
-    return spec.commandLine().getErr();
-  }
-
-  private void warn(String line) {
-    if (!output.quiet()) {
-      err().println("hdispatch: warning: " + line);
-    }
+  private CommandConsole console() {
+    return new CommandConsole(spec, host, output.quiet());
   }
 
   private FlowChoice choice() {

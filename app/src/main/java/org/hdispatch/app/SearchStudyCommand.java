@@ -144,7 +144,7 @@ final class SearchStudyCommand implements Callable<Integer> {
     SearchStudy study =
         new SearchStudy(flow, form, run, edges.stream().distinct().toList(), threads, rounds);
     UsageException.orRefused(study::checked);
-    CommandConsole console = new CommandConsole(spec, host, output);
+    CommandConsole console = new CommandConsole(spec, host, output.quiet());
     SearchResult result;
     try (StatusLine status = new StatusLine(console.err())) {
       result =

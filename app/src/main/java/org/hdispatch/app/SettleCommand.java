@@ -1,6 +1,5 @@
 package org.hdispatch.app;
 
-import java.io.PrintWriter;
 import java.util.Locale;
 import java.util.Optional;
 import java.util.concurrent.Callable;
@@ -75,7 +74,6 @@ final class SettleCommand implements Callable<Integer> {
   @Mixin private final StandardOptions standard = new StandardOptions();
   @Spec private CommandSpec spec;
 
-  private int width; // of the line of progress
   private double nextAt; // s, of the next progress
   private double peak;
 
@@ -107,8 +105,6 @@ final class SettleCommand implements Callable<Integer> {
               loop.stats(),
               loop.tick().step() - loop.stats().steps());
       return report(settling, loop.tick().step(), seconds, left);
-    } finally {
-      wipe();
     }
   }
 
@@ -124,13 +120,15 @@ final class SettleCommand implements Callable<Integer> {
     long started = System.nanoTime();
     double seconds = 0;
     boolean past = false;
-    while (!past && loop.tick().step() < last) {
-      past = loop.runUntil(pastPeak, Math.min(STEPS_BETWEEN, last - loop.tick().step()));
-      seconds = (System.nanoTime() - started) * 1e-9;
-      progress(settling, loop.tick().step(), seconds);
-      if (loop.tick().step() == WARM_UP && !past) {
-        loop.resetStats();
-        collector.warmedUp();
+    try (StatusLine status = new StatusLine(console().err())) {
+      while (!past && loop.tick().step() < last) {
+        past = loop.runUntil(pastPeak, Math.min(STEPS_BETWEEN, last - loop.tick().step()));
+        seconds = (System.nanoTime() - started) * 1e-9;
+        progress(settling, loop.tick().step(), seconds, status);
+        if (loop.tick().step() == WARM_UP && !past) {
+          loop.resetStats();
+          collector.warmedUp();
+        }
       }
     }
     return seconds;
@@ -140,9 +138,8 @@ final class SettleCommand implements Callable<Integer> {
       throws ImageFileException {
     boolean past = settling.velocity() < PAST_PEAK * peak; // never for a NaN
     if (!past) {
-      wipe();
-      spec.commandLine()
-          .getErr()
+      console()
+          .err()
           .println(
               "hdispatch: sphere must slow down above the bottom: steps="
                   + steps
@@ -153,16 +150,11 @@ final class SettleCommand implements Callable<Integer> {
                   + " m");
       return ExitCode.NOT_CONVERGED.code();
     }
-    wipe();
-    PrintWriter out = spec.commandLine().getOut();
     FlatRow row = row(settling, steps, seconds);
     left.putInto(row);
     Table table = table(settling, steps, seconds);
     left.putInto(table);
-    out.print(json ? row.toJson() : table.toString());
-    if (out.checkError()) {
-      throw new ImageFileException("standard output must be writable");
-    }
+    console().print(json ? row.toJson() : table.toString());
     gcReport.write(left);
     return ExitCode.DONE.code();
   }
@@ -228,31 +220,22 @@ final class SettleCommand implements Callable<Integer> {
         .line("", "Physics of Fluids 14 (2002) 4012, doi:10.1063/1.1512918");
   }
 
-  private void progress(SettlingSphere settling, long step, double seconds) {
-    if (quiet || !host.terminal() || seconds < nextAt) {
+  private void progress(SettlingSphere settling, long step, double seconds, StatusLine status) {
+    if (!console().isWatched() || seconds < nextAt) {
       return;
     }
     nextAt = seconds + SECONDS_BETWEEN;
-    String line =
+    status.show(
         String.format(
             Locale.ROOT,
             "step %d  time %.3f s  velocity %.4f m/s  gap %.1f mm",
             step,
             step * settling.timeStep(),
             settling.velocity(),
-            1e3 * settling.gap());
-    PrintWriter err = spec.commandLine().getErr();
-    err.print("\r" + line + " ".repeat(Math.max(0, width - line.length())));
-    err.flush();
-    width = line.length();
+            1e3 * settling.gap()));
   }
 
-  private void wipe() {
-    if (width > 0) {
-      PrintWriter err = spec.commandLine().getErr();
-      err.print("\r" + " ".repeat(width) + "\r");
-      err.flush();
-      width = 0;
-    }
+  private CommandConsole console() {
+    return new CommandConsole(spec, host, quiet);
   }
 }

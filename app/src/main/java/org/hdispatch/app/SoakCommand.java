@@ -100,7 +100,7 @@ final class SoakCommand implements Callable<Integer> {
   }
 
   private CommandConsole console() {
-    return new CommandConsole(spec, host, output);
+    return new CommandConsole(spec, host, output.quiet());
   }
 
   private List<SoakResult> soak(List<Jdk> jdks, List<SoakJob> jobs) throws ImageFileException {

@@ -88,7 +88,7 @@ final class SphCaseCommand implements Callable<Integer> {
     SphHeap.require(host, options.search(), dimensions, particles.count(), support);
     SphScheme scheme = options.scheme(settings, flow.spacing(), particles);
     SphRun run = runFor(duration, scheme);
-    CommandConsole console = new CommandConsole(spec, host, output);
+    CommandConsole console = new CommandConsole(spec, host, output.quiet());
     SphStepper stepper = new SphStepper(console, options, threadOptions.threads());
     SphReport report = stepper.run(Choices.word(which), scheme, flow.spacing(), run);
     double reached = (run.warmUpSteps() + run.steps()) * scheme.timeStep();

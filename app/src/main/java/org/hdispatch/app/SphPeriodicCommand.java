@@ -90,7 +90,7 @@ final class SphPeriodicCommand implements Callable<Integer> {
       throws ImageFileException {
     SphHeap.require(host, options.search(), 3, shear.count(), shear.support());
     SphScheme scheme = options.scheme(settings, 1, shear.particles());
-    CommandConsole console = new CommandConsole(spec, host, output);
+    CommandConsole console = new CommandConsole(spec, host, output.quiet());
     SphStepper stepper = new SphStepper(console, options, threadOptions.threads());
     SphReport report = stepper.run("periodic", scheme, 1, run);
     FlatRow row = report.row();

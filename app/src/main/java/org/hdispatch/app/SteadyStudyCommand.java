@@ -1,6 +1,5 @@
 package org.hdispatch.app;
 
-import java.io.PrintWriter;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
@@ -51,7 +50,7 @@ final class SteadyStudyCommand implements Callable<Integer> {
     int threads = threadOptions.threads();
     List<Rock> rocks = imageOptions.image().isPresent() ? parts() : options.rocks(host);
     requireHeap(rocks, flow);
-    SteadyStudy study = new SteadyStudy(rocks, flow, threads, this::warn);
+    SteadyStudy study = new SteadyStudy(rocks, flow, threads, console()::warn);
     if (output.folder().isEmpty()) {
       run(study, rocks.size());
       return report(study.result(), Optional.empty());
@@ -90,9 +89,9 @@ final class SteadyStudyCommand implements Callable<Integer> {
   }
 
   private void run(SteadyStudy study, int rocks) {
-    try (StatusLine status = new StatusLine(err())) {
-      boolean watched = host.terminal() && !output.quiet();
-      study.run(watched ? new SteadyProgress(status, rocks) : SteadyStudy.Listener.NONE);
+    try (StatusLine status = new StatusLine(console().err())) {
+      study.run(
+          console().isWatched() ? new SteadyProgress(status, rocks) : SteadyStudy.Listener.NONE);
     } catch (CancellationException e) {
       interrupted(study.result(), rocks);
       throw e;
@@ -101,21 +100,17 @@ final class SteadyStudyCommand implements Callable<Integer> {
 
   /** Prints what there is; files are only written whole. */
   private void interrupted(SteadyResult result, int rocks) {
-    warn(result.rocks().size() + " of " + rocks + " rocks are done, no files are written");
+    console()
+        .warn(result.rocks().size() + " of " + rocks + " rocks are done, no files are written");
     if (!result.rocks().isEmpty()) {
-      PrintWriter out = spec.commandLine().getOut();
-      out.print(output.form(SteadyReport.rows(result), SteadyReport.text(result)));
-      out.flush();
+      console().out().print(output.form(SteadyReport.rows(result), SteadyReport.text(result)));
+      console().out().flush();
     }
   }
 
   private int report(SteadyResult result, Optional<OutputFolder> folder) throws ImageFileException {
     List<FlatRow> rows = SteadyReport.rows(result);
-    PrintWriter out = spec.commandLine().getOut();
-    out.print(output.form(rows, SteadyReport.text(result)));
-    if (out.checkError()) {
-      throw new ImageFileException("standard output must be writable");
-    }
+    console().print(output.form(rows, SteadyReport.text(result)));
     if (folder.isPresent()) {
       write(result, rows, folder.get());
     }
@@ -141,7 +136,8 @@ final class SteadyStudyCommand implements Callable<Integer> {
   }
 
   private int notConverged(SteadyResult result, SteadyComparison each) {
-    err()
+    console()
+        .err()
         .println(
             "hdispatch: steady k must be known (give more --max-steps): rock="
                 + each.rock().name()
@@ -154,29 +150,18 @@ final class SteadyStudyCommand implements Callable<Integer> {
     return ExitCode.NOT_CONVERGED.code();
   }
 
-  private PrintWriter err() {
-    return spec.commandLine().getErr();
-  }
-
-  private void warn(String line) {
-    if (!output.quiet()) {
-      err().println("hdispatch: warning: " + line);
-    }
+  private CommandConsole console() {
+    return new CommandConsole(spec, host, output.quiet());
   }
 
   private void checkCombinations() {
     output.folder();
+    Given given = new Given(spec.commandLine().getParseResult());
     if (imageOptions.image().isPresent()) {
-      SteadyStudyOptions.ROCKS.forEach(name -> refuse(name, "random spheres, not an image"));
+      SteadyStudyOptions.ROCKS.forEach(name -> given.refuse(name, "random spheres, not an image"));
     } else {
-      ImageOptions.NAMES.forEach(name -> refuse(name, "an IMAGE"));
-      refuse("--voxel-edge", "an IMAGE");
-    }
-  }
-
-  private void refuse(String option, String belongsTo) {
-    if (spec.commandLine().getParseResult().hasMatchedOption(option)) {
-      throw new UsageException(option + " must come with " + belongsTo);
+      ImageOptions.NAMES.forEach(name -> given.refuse(name, "an IMAGE"));
+      given.refuse("--voxel-edge", "an IMAGE");
     }
   }
 }

@@ -123,6 +123,6 @@ final class SurveyCommand implements Callable<Integer> {
   }
 
   private CommandConsole console() {
-    return new CommandConsole(spec, host, output);
+    return new CommandConsole(spec, host, output.quiet());
   }
 }

@@ -131,6 +131,6 @@ final class SurveyReportCommand implements Callable<Integer> {
   }
 
   private CommandConsole console() {
-    return new CommandConsole(spec, host, output);
+    return new CommandConsole(spec, host, output.quiet());
   }
 }

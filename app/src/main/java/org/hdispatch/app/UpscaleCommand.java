@@ -54,7 +54,7 @@ final class UpscaleCommand implements Callable<Integer> {
     SurveyTable survey = SurveyTable.read(folder);
     UpscaledSample sample = upscale(survey, threads);
     List<FlatRow> rows = sample.rows();
-    CommandConsole console = new CommandConsole(spec, host, output);
+    CommandConsole console = new CommandConsole(spec, host, output.quiet());
     console.print(output.form(rows, sample.table().toString()));
     if (to.isPresent()) {
       try (OutputFolder files = OutputFolder.open(to.get())) {
