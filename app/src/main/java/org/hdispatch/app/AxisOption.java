@@ -10,11 +10,18 @@ final class AxisOption {
       names = "--axis",
       paramLabel = "AXIS",
       defaultValue = "z",
-      completionCandidates = Choices.OfDirection.class,
+      completionCandidates = Words.class,
       description =
           "Direction of the flow: ${COMPLETION-CANDIDATES}. With all, one flow along each axis, and"
               + " the permeability tensor; what flows across an axis needs --sides periodic.")
   private Direction direction;
+
+  /** Words for directions of the flow. */
+  static final class Words extends Choices {
+    Words() {
+      super(Direction.values());
+    }
+  }
 
   /** The axes, one after the other. */
   List<Axis> axes() {

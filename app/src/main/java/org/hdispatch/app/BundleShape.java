@@ -2,7 +2,6 @@ package org.hdispatch.app;
 
 import org.hdispatch.lbm.BundleSize;
 import picocli.CommandLine.ITypeConverter;
-import picocli.CommandLine.TypeConversionException;
 
 /**
  * The shape of a bundle as users write it: {@code 20} for a cube, or {@code nx,ny,nz}, each a
@@ -59,7 +58,7 @@ record BundleShape(int nx, int ny, int nz) {
       try {
         return parse(text);
       } catch (IllegalArgumentException e) {
-        throw new TypeConversionException(e.getMessage());
+        throw new GrammarException(GRAMMAR);
       }
     }
   }

@@ -3,7 +3,6 @@ package org.hdispatch.app;
 import java.util.Arrays;
 import java.util.Iterator;
 import java.util.Locale;
-import org.hdispatch.app.study.Collector;
 import org.hdispatch.dispatch.ScratchLifetime;
 import org.hdispatch.lbm.KernelForm;
 import org.hdispatch.lbm.Storage;
@@ -66,13 +65,6 @@ abstract class Choices implements Iterable<String> {
   static final class OfAxis extends Choices {
     OfAxis() {
       super(Axis.values());
-    }
-  }
-
-  /** Words for directions of the flow. */
-  static final class OfDirection extends Choices {
-    OfDirection() {
-      super(Direction.values());
     }
   }
 
@@ -174,24 +166,10 @@ abstract class Choices implements Iterable<String> {
     }
   }
 
-  /** Words for collectors. */
-  static final class OfCollectors extends Choices {
-    OfCollectors() {
-      super(Collector.values());
-    }
-  }
-
   /** Words for lifetimes of scratch. */
   static final class OfLifetimes extends Choices {
     OfLifetimes() {
       super(ScratchLifetime.values());
-    }
-  }
-
-  /** Words for what is soaked. */
-  static final class OfSoakMethods extends Choices {
-    OfSoakMethods() {
-      super(SoakOptions.Methods.values());
     }
   }
 }

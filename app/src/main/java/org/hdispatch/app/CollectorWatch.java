@@ -3,6 +3,7 @@ package org.hdispatch.app;
 import java.io.UncheckedIOException;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Optional;
 import java.util.OptionalDouble;
 import org.hdispatch.gc.GcReport;
 import org.hdispatch.gc.GcWatch;
@@ -123,6 +124,21 @@ final class CollectorWatch implements FlowListener, AutoCloseable {
     return warm // reports.get(0) is the set-up
         ? new Figures(Window.of(reports.get(1)), Window.of(reports.get(2)), details)
         : new Figures(Window.NOTHING, Window.of(reports.get(1)), details);
+  }
+
+  /**
+   * Ends the watch; where the record of the collector cannot be read, warns.
+   *
+   * @param console where to
+   * @return what the collector did, if that can be read
+   */
+  Optional<Figures> figures(CommandConsole console) {
+    try {
+      return Optional.of(figures());
+    } catch (UncheckedIOException e) { // a pity, but the result is worth more
+      console.warn("figures of the collector must be readable: cause=" + e.getCause());
+      return Optional.empty();
+    }
   }
 
   @Override

@@ -1,8 +1,6 @@
 package org.hdispatch.app;
 
 import java.io.PrintWriter;
-import java.io.UncheckedIOException;
-import java.util.Optional;
 import org.hdispatch.porous.io.ImageFileException;
 import picocli.CommandLine.Model.CommandSpec;
 
@@ -39,16 +37,6 @@ record CommandConsole(CommandSpec spec, Host host, boolean quiet) {
   void warn(String line) {
     if (!quiet) {
       err().println("hdispatch: warning: " + line);
-    }
-  }
-
-  /** What the collector did, if that can be read. */
-  Optional<CollectorWatch.Figures> figures(CollectorWatch collector) {
-    try {
-      return Optional.of(collector.figures());
-    } catch (UncheckedIOException e) { // a pity, but the speed is worth more
-      warn("figures of the collector must be readable: cause=" + e.getCause());
-      return Optional.empty();
     }
   }
 }

@@ -86,7 +86,7 @@ final class DuctCommand implements Callable<Integer> {
     try (CollectorWatch collector = new CollectorWatch()) {
       DuctFigures figures = measure(run, duct, probe, collector);
       var report =
-          new CollectorReport(console().figures(collector), figures.stats(), run.warmUpSteps());
+          new CollectorReport(collector.figures(console()), figures.stats(), run.warmUpSteps());
       FlatRow row = DuctReport.row(figures).put("probe_bytes", probe.bytes());
       report.putInto(row.put("bundle_origin", bundle.origin()));
       Host.describe(row);

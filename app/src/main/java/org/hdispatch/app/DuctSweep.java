@@ -46,7 +46,7 @@ final class DuctSweep {
     this.host = host;
     this.options = options;
     this.warn = warn;
-    threads = threadsUpTo(mostThreads);
+    threads = ThreadOptions.upTo(mostThreads);
   }
 
   /**
@@ -78,19 +78,6 @@ final class DuctSweep {
      * @param shareDone how much of the work is done, 0 to 1
      */
     void progressed(Case one, int number, int count, double shareDone);
-  }
-
-  /** Some numbers of threads from 1 to the most: 1, 2, 3, 4, 6, 8, 12, 16, 24 ... */
-  static int[] threadsUpTo(int most) {
-    List<Integer> counts = new ArrayList<>();
-    for (int power = 1; power < most; power *= 2) {
-      counts.add(power);
-      if (power > 1 && power / 2 * 3 < most) {
-        counts.add(power / 2 * 3);
-      }
-    }
-    counts.add(most);
-    return counts.stream().mapToInt(Integer::intValue).distinct().toArray();
   }
 
   /**

@@ -96,7 +96,9 @@ final class Faults {
       ArgSpec argument = e.getArgSpec();
       String name =
           argument instanceof OptionSpec option ? option.longestName() : argument.paramLabel();
-      return name + " must be " + expected(argument) + ": " + name + "=" + e.getValue() + help;
+      String form =
+          e.getCause() instanceof GrammarException text ? text.grammar() : expected(argument);
+      return name + " must be " + form + ": " + name + "=" + e.getValue() + help;
     }
     if (e instanceof UnmatchedArgumentException unmatched) {
       List<String> suggestions = unmatched.getSuggestions();
@@ -117,9 +119,6 @@ final class Faults {
         comma = ", ";
       }
       return choices.toString();
-    }
-    if (type == BundleShape.class) {
-      return BundleShape.GRAMMAR;
     }
     return type == Double.class || type == double.class ? "a number" : "an integer";
   }

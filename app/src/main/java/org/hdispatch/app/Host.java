@@ -1,6 +1,7 @@
 package org.hdispatch.app;
 
 import java.nio.file.Path;
+import java.util.Map;
 import java.util.Optional;
 import org.hdispatch.porous.block.HeapException;
 import org.hdispatch.porous.block.HeapLimit;
@@ -22,7 +23,30 @@ record Host(long heapBytes, boolean terminal, Optional<Path> machineFile) {
     return new Host(
         Runtime.getRuntime().maxMemory(),
         System.console() != null,
-        MachineFile.usualPlace(System.getenv(), System.getProperty("user.home")));
+        machineFile(System.getenv(), System.getProperty("user.home")));
+  }
+
+  /**
+   * Where users expect findings about this machine to be kept: {@code XDG_CONFIG_HOME}, or {@code
+   * .config} in their home; {@code APPDATA} on Windows.
+   *
+   * @param environment variables of the process
+   * @param home the user's home, or null
+   */
+  static Optional<Path> machineFile(Map<String, String> environment, String home) {
+    for (String variable : new String[] {"XDG_CONFIG_HOME", "APPDATA"}) {
+      String folder = environment.getOrDefault(variable, "");
+      if (!folder.isEmpty() && Path.of(folder).isAbsolute()) {
+        return Optional.of(inFolder(Path.of(folder)));
+      }
+    }
+    return home == null || home.isEmpty()
+        ? Optional.empty()
+        : Optional.of(inFolder(Path.of(home, ".config")));
+  }
+
+  private static Path inFolder(Path folder) {
+    return folder.resolve("hdispatch").resolve("machine.properties");
   }
 
   /** Adds what a program runs on. */

@@ -6,7 +6,6 @@ import java.io.InputStream;
 import java.nio.ByteBuffer;
 import java.nio.file.Files;
 import java.nio.file.Path;
-import java.util.Map;
 import java.util.Optional;
 import java.util.Properties;
 import java.util.function.Consumer;
@@ -30,29 +29,6 @@ final class MachineFile {
   MachineFile(Optional<Path> file, Consumer<String> warn) {
     this.file = file;
     this.warn = warn;
-  }
-
-  /**
-   * Where users expect the file: {@code XDG_CONFIG_HOME}, or {@code .config} in their home; {@code
-   * APPDATA} on Windows.
-   *
-   * @param environment variables of the process
-   * @param home the user's home, or null
-   */
-  static Optional<Path> usualPlace(Map<String, String> environment, String home) {
-    for (String variable : new String[] {"XDG_CONFIG_HOME", "APPDATA"}) {
-      String folder = environment.getOrDefault(variable, "");
-      if (!folder.isEmpty() && Path.of(folder).isAbsolute()) {
-        return Optional.of(inFolder(Path.of(folder)));
-      }
-    }
-    return home == null || home.isEmpty()
-        ? Optional.empty()
-        : Optional.of(inFolder(Path.of(home, ".config")));
-  }
-
-  private static Path inFolder(Path folder) {
-    return folder.resolve("hdispatch").resolve("machine.properties");
   }
 
   Optional<Path> path() {

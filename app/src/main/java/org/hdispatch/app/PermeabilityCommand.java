@@ -146,7 +146,7 @@ final class PermeabilityCommand implements Callable<Integer> {
           fluid,
           flow,
           threadOptions.threads(),
-          console().figures(collector));
+          collector.figures(console()));
     }
   }
 

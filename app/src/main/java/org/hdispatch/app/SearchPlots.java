@@ -60,7 +60,7 @@ final class SearchPlots {
             LogPlot.Scale.around(
                 "edge of a cell, distances of particles", least(all, false), most(all, false), FEW),
             LogPlot.Scale.around(
-                "10^6 particle-steps/s, " + SweepReport.threads(threads),
+                "10^6 particle-steps/s, " + Numbers.threads(threads),
                 least(all, true),
                 most(all, true),
                 FEW));

@@ -4,6 +4,7 @@ import java.util.List;
 import java.util.Locale;
 import java.util.OptionalDouble;
 import org.hdispatch.app.text.Columns;
+import org.hdispatch.app.text.Numbers;
 import org.hdispatch.app.text.Table;
 import org.hdispatch.gc.GcWatch;
 import org.hdispatch.sph.SphTimes;
@@ -116,7 +117,7 @@ final class SearchReport {
                                     + " MPUPS with cells of "
                                     + fixed(best.edge(), 2)
                                     + ", "
-                                    + SweepReport.threads(best.threads()))));
+                                    + Numbers.threads(best.threads()))));
     return columns + System.lineSeparator() + table;
   }
 

@@ -140,7 +140,7 @@ final class SearchStudyCommand implements Callable<Integer> {
     SearchFlow flow = periodic == null ? rock() : box();
     int count = flow.particles().count();
     SphRun run = new SphRun(warmUp == null ? SphRun.warmUpFor(count) : warmUp, steps);
-    int[] threads = DuctSweep.threadsUpTo(threadOptions.threads());
+    int[] threads = ThreadOptions.upTo(threadOptions.threads());
     SearchStudy study =
         new SearchStudy(flow, form, run, edges.stream().distinct().toList(), threads, rounds);
     UsageException.orRefused(study::checked);

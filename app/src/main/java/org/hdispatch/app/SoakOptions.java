@@ -40,7 +40,7 @@ final class SoakOptions {
       names = "--method",
       paramLabel = "METHOD",
       defaultValue = "all",
-      completionCandidates = Choices.OfSoakMethods.class,
+      completionCandidates = MethodWords.class,
       description = "What is stepped: ${COMPLETION-CANDIDATES}.")
   private Methods methods;
 
@@ -62,7 +62,7 @@ final class SoakOptions {
       split = ",",
       hideParamSyntax = true,
       converter = CollectorConverter.class,
-      completionCandidates = Choices.OfCollectors.class,
+      completionCandidates = CollectorWords.class,
       description = "Such as epsilon,g1: ${COMPLETION-CANDIDATES}. Default: all that a JDK has.")
   private List<Collector> collectors;
 
@@ -84,6 +84,20 @@ final class SoakOptions {
           "How long scratch lives: ${COMPLETION-CANDIDATES}. Anything but enduring shows that the"
               + " soak can fail.")
   private ScratchLifetime lifetime;
+
+  /** Words for what is soaked. */
+  static final class MethodWords extends Choices {
+    MethodWords() {
+      super(Methods.values());
+    }
+  }
+
+  /** Words for collectors. */
+  static final class CollectorWords extends Choices {
+    CollectorWords() {
+      super(Collector.values());
+    }
+  }
 
   /** Reads a collector: picocli knows no hyphens in enumerations. */
   static final class CollectorConverter implements ITypeConverter<Collector> {

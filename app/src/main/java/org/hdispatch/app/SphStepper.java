@@ -23,7 +23,7 @@ record SphStepper(CommandConsole console, SphSchemeOptions options, int threads)
     try (CollectorWatch collector = new CollectorWatch()) {
       SphFigures figures = measure(name, scheme, run, collector);
       var left =
-          new CollectorReport(console.figures(collector), figures.stats(), figures.warmUpSteps());
+          new CollectorReport(collector.figures(console), figures.stats(), figures.warmUpSteps());
       return new SphReport(figures, scheme, options, spacing, left);
     }
   }

@@ -264,7 +264,7 @@ final class SteadyPage {
             + " steps.");
     points.add(
         "Machine: "
-            + SweepReport.threads(result.threads())
+            + Numbers.threads(result.threads())
             + ", "
             + Runtime.getRuntime().availableProcessors()
             + " processors ("

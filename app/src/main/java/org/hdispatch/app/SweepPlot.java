@@ -112,7 +112,7 @@ final class SweepPlot {
     int y = TOP + 10;
     for (int threads : result.threads()) {
       svg.rectangle(x, y - 4, 30, 8, colour(threads));
-      svg.text(x + 40, y + 4, SweepReport.threads(threads), Anchor.START, 0);
+      svg.text(x + 40, y + 4, Numbers.threads(threads), Anchor.START, 0);
       y += LEGEND_LINE;
     }
     for (int side : result.sides()) {

@@ -123,7 +123,7 @@ final class SweepReport {
             "%s: %.1f MLUPS with %s at %d^3, %s of the bandwidth",
             best.label(),
             best.mlups(),
-            threads(best.threads()),
+            Numbers.threads(best.threads()),
             best.side(),
             percent(OptionalDouble.of(best.figures().bandwidthFraction()))));
     result
@@ -162,7 +162,7 @@ final class SweepReport {
       table.line(
           "DISTURBED",
           "the bandwidth with "
-              + threads(best.threads())
+              + Numbers.threads(best.threads())
               + " was between "
               + fixed(bandwidth.least())
               + " and "
@@ -197,11 +197,6 @@ final class SweepReport {
 
   private static String fixed(double value) {
     return String.format(Locale.ROOT, "%.1f", value);
-  }
-
-  /** So many threads, in words. */
-  static String threads(int count) {
-    return count == 1 ? "1 thread" : count + " threads";
   }
 
   private static String fixed(OptionalDouble value) {

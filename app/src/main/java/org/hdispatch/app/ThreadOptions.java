@@ -1,5 +1,7 @@
 package org.hdispatch.app;
 
+import java.util.ArrayList;
+import java.util.List;
 import picocli.CommandLine.Option;
 
 /** How many threads. */
@@ -22,5 +24,18 @@ final class ThreadOptions {
       throw new UsageException("threads must number 1 to " + MOST + ": threads=" + threads);
     }
     return threads;
+  }
+
+  /** Some numbers of threads from 1 to the most: 1, 2, 3, 4, 6, 8, 12, 16, 24 ... */
+  static int[] upTo(int most) {
+    List<Integer> counts = new ArrayList<>();
+    for (int power = 1; power < most; power *= 2) {
+      counts.add(power);
+      if (power > 1 && power / 2 * 3 < most) {
+        counts.add(power / 2 * 3);
+      }
+    }
+    counts.add(most);
+    return counts.stream().mapToInt(Integer::intValue).distinct().toArray();
   }
 }

@@ -9,7 +9,6 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
-import java.util.Map;
 import java.util.Optional;
 import org.hdispatch.lbm.KernelForm;
 import org.hdispatch.lbm.Storage;
@@ -105,23 +104,5 @@ class MachineFileTest {
     assertFalse(none.keepBundle(DOUBLE, BundleShape.parse("20")));
     assertEquals(Optional.empty(), none.bundle(DOUBLE, 20));
     assertEquals(List.of(), warnings);
-  }
-
-  @Test
-  void placeIsWhereUsersExpectIt() {
-    Path end = Path.of("hdispatch", "machine.properties");
-    String config = folder.resolve("config").toString();
-    assertEquals(
-        Optional.of(Path.of(config).resolve(end)),
-        MachineFile.usualPlace(Map.of("XDG_CONFIG_HOME", config), "/home/me"));
-    assertEquals(
-        Optional.of(Path.of(config).resolve(end)),
-        MachineFile.usualPlace(Map.of("APPDATA", config), "/home/me"));
-    for (String unfit : List.of("", "relative")) {
-      assertEquals(
-          Optional.of(Path.of("/home/me", ".config").resolve(end)),
-          MachineFile.usualPlace(Map.of("XDG_CONFIG_HOME", unfit), "/home/me"));
-    }
-    assertEquals(Optional.empty(), MachineFile.usualPlace(Map.of(), null));
   }
 }

@@ -1,6 +1,5 @@
 package org.hdispatch.app;
 
-import static org.junit.jupiter.api.Assertions.assertArrayEquals;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertThrows;
@@ -185,13 +184,5 @@ class SweepResultTest {
       assertTrue(text.contains(words), () -> words + " <- " + text);
     }
     assertTrue(text.chars().allMatch(c -> c < 128), "terminals without UTF-8 print ASCII only");
-  }
-
-  @Test
-  void threadsAreAllOfAFewAndSomeOfMany() {
-    assertArrayEquals(new int[] {1}, DuctSweep.threadsUpTo(1));
-    assertArrayEquals(new int[] {1, 2, 3, 4}, DuctSweep.threadsUpTo(4));
-    assertArrayEquals(new int[] {1, 2, 3, 4, 6, 8, 12, 16, 24}, DuctSweep.threadsUpTo(24));
-    assertArrayEquals(new int[] {1, 2, 3, 4, 5}, DuctSweep.threadsUpTo(5));
   }
 }

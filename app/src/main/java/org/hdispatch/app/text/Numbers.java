@@ -54,6 +54,11 @@ public final class Numbers {
     return plain(size, 3) + " " + (unit == 0 && size == 1 ? "byte" : UNITS[unit]);
   }
 
+  /** So many threads, in words. */
+  public static String threads(int count) {
+    return count == 1 ? "1 thread" : count + " threads";
+  }
+
   /** How many times one number is another, to two decimals. */
   public static String ratio(double ratio) {
     return Double.isFinite(ratio) ? String.format(Locale.ROOT, "%.2f", ratio) : "unknown";

@@ -1,0 +1,25 @@
+package org.hdispatch.app;
+
+import picocli.CommandLine.TypeConversionException;
+
+/** A text that is not of the form that an argument asks for. */
+final class GrammarException extends TypeConversionException {
+  private static final long serialVersionUID = 1L;
+
+  private final String grammar;
+
+  /**
+   * Refuses a text.
+   *
+   * @param grammar what it must look like
+   */
+  GrammarException(String grammar) {
+    super("text must be " + grammar);
+    this.grammar = grammar;
+  }
+
+  /** What the text must look like. */
+  String grammar() {
+    return grammar;
+  }
+}
