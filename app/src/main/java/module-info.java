@@ -15,4 +15,6 @@ module org.hdispatch.app {
 
   opens org.hdispatch.app to
       info.picocli;
+  opens org.hdispatch.app.console to
+      info.picocli;
 }

@@ -1,6 +1,7 @@
 package org.hdispatch.app;
 
 import java.util.List;
+import org.hdispatch.app.console.Choices;
 import org.hdispatch.porous.image.Axis;
 import picocli.CommandLine.Option;
 

@@ -1,5 +1,6 @@
 package org.hdispatch.app;
 
+import org.hdispatch.app.console.GrammarException;
 import org.hdispatch.lbm.BundleSize;
 import picocli.CommandLine.ITypeConverter;
 

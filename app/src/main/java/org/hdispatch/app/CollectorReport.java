@@ -4,6 +4,7 @@ import java.util.Locale;
 import java.util.Optional;
 import java.util.OptionalDouble;
 import java.util.function.Function;
+import org.hdispatch.app.text.FlatRow;
 import org.hdispatch.app.text.Table;
 import org.hdispatch.dispatch.LoopStats;
 import org.hdispatch.gc.GcWatch;

@@ -5,6 +5,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
 import java.util.OptionalDouble;
+import org.hdispatch.app.console.CommandConsole;
 import org.hdispatch.gc.GcReport;
 import org.hdispatch.gc.GcWatch;
 import org.hdispatch.porous.flow.FlowListener;

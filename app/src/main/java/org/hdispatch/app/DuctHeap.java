@@ -1,5 +1,6 @@
 package org.hdispatch.app;
 
+import org.hdispatch.app.console.Host;
 import org.hdispatch.gc.GcWatch;
 import org.hdispatch.lbm.duct.Duct;
 import org.hdispatch.porous.block.HeapException;

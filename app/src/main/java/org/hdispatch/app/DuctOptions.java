@@ -1,6 +1,8 @@
 package org.hdispatch.app;
 
 import java.util.List;
+import org.hdispatch.app.console.Choices;
+import org.hdispatch.app.console.UsageException;
 import org.hdispatch.lbm.KernelForm;
 import org.hdispatch.lbm.Storage;
 import org.hdispatch.lbm.Streaming;

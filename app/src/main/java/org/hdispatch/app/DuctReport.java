@@ -1,6 +1,9 @@
 package org.hdispatch.app;
 
 import java.util.Locale;
+import org.hdispatch.app.console.Choices;
+import org.hdispatch.app.console.Version;
+import org.hdispatch.app.text.FlatRow;
 import org.hdispatch.app.text.Numbers;
 import org.hdispatch.app.text.Table;
 import org.hdispatch.lbm.BundleSize;

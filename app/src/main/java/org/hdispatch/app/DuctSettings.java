@@ -1,5 +1,6 @@
 package org.hdispatch.app;
 
+import org.hdispatch.app.console.Choices;
 import org.hdispatch.lbm.KernelForm;
 import org.hdispatch.lbm.Storage;
 import org.hdispatch.lbm.Streaming;

@@ -3,6 +3,8 @@ package org.hdispatch.app;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.OptionalDouble;
+import org.hdispatch.app.console.Choices;
+import org.hdispatch.app.console.OutputFolder;
 import org.hdispatch.app.draw.ColourMap;
 import org.hdispatch.app.draw.Picture;
 import org.hdispatch.app.draw.Plane;

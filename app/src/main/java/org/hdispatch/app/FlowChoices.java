@@ -1,5 +1,7 @@
 package org.hdispatch.app;
 
+import org.hdispatch.app.console.Given;
+import org.hdispatch.app.console.UsageException;
 import org.hdispatch.porous.block.FlowChoice;
 import org.hdispatch.porous.block.Method;
 import org.hdispatch.porous.block.Walls;

@@ -4,6 +4,8 @@ import java.util.List;
 import java.util.Optional;
 import java.util.OptionalDouble;
 import java.util.OptionalInt;
+import org.hdispatch.app.console.Choices;
+import org.hdispatch.app.console.UsageException;
 import org.hdispatch.lbm.Storage;
 import org.hdispatch.lbm.VelocitySet;
 import org.hdispatch.porous.block.Walls;

@@ -1,5 +1,6 @@
 package org.hdispatch.app;
 
+import org.hdispatch.app.console.UsageException;
 import org.hdispatch.porous.darcy.PhysicalFlow;
 import picocli.CommandLine.Option;
 

@@ -8,6 +8,8 @@ import java.lang.management.MemoryUsage;
 import java.time.Duration;
 import java.util.LinkedHashMap;
 import java.util.Map;
+import org.hdispatch.app.console.Choices;
+import org.hdispatch.app.console.Version;
 import org.hdispatch.dispatch.LoopStats;
 import org.hdispatch.gc.GcReport;
 import org.hdispatch.gc.GcWatch;

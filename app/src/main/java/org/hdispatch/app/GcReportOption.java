@@ -5,6 +5,7 @@ import java.nio.ByteBuffer;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import org.hdispatch.app.console.UsageException;
 import org.hdispatch.porous.io.ImageFileException;
 import org.hdispatch.porous.io.WholeFiles;
 import picocli.CommandLine.Option;

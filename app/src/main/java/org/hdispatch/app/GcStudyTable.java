@@ -10,6 +10,7 @@ import org.hdispatch.app.study.GcOrigin;
 import org.hdispatch.app.study.GcRow;
 import org.hdispatch.app.study.Lbo;
 import org.hdispatch.app.text.Columns;
+import org.hdispatch.app.text.FlatRow;
 
 /** The rows of a study of garbage collection, for people and for programs. */
 final class GcStudyTable {

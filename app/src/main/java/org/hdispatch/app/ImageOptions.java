@@ -6,6 +6,7 @@ import java.util.List;
 import java.util.Optional;
 import java.util.OptionalDouble;
 import java.util.regex.Pattern;
+import org.hdispatch.app.console.UsageException;
 import org.hdispatch.porous.darcy.Permeability;
 import org.hdispatch.porous.image.LabelRule;
 import org.hdispatch.porous.image.VoxelBox;

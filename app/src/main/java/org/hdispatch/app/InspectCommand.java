@@ -1,6 +1,12 @@
 package org.hdispatch.app;
 
 import java.util.concurrent.Callable;
+import org.hdispatch.app.console.CommandConsole;
+import org.hdispatch.app.console.ExitCode;
+import org.hdispatch.app.console.Host;
+import org.hdispatch.app.console.OutputFolder;
+import org.hdispatch.app.console.OutputOptions;
+import org.hdispatch.app.console.StandardOptions;
 import org.hdispatch.porous.image.VoxelBox;
 import org.hdispatch.porous.image.VoxelImage;
 import org.hdispatch.porous.io.ImageFileException;

@@ -9,6 +9,7 @@ import java.nio.file.Path;
 import java.util.Optional;
 import java.util.Properties;
 import java.util.function.Consumer;
+import org.hdispatch.app.console.Choices;
 import org.hdispatch.porous.io.WholeFiles;
 
 /**

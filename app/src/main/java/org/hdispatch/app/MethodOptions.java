@@ -1,6 +1,8 @@
 package org.hdispatch.app;
 
 import java.util.List;
+import org.hdispatch.app.console.Choices;
+import org.hdispatch.app.console.UsageException;
 import org.hdispatch.porous.block.Method;
 import org.hdispatch.porous.flow.SphOptions;
 import picocli.CommandLine.Option;

@@ -1,6 +1,9 @@
 package org.hdispatch.app;
 
 import java.util.Map;
+import org.hdispatch.app.console.Choices;
+import org.hdispatch.app.console.Version;
+import org.hdispatch.app.text.FlatRow;
 import org.hdispatch.porous.block.Method;
 import org.hdispatch.porous.flow.FlowOptions;
 import org.hdispatch.porous.flow.SteadyFlow;

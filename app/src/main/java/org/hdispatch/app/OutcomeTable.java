@@ -4,6 +4,8 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
 import java.util.OptionalDouble;
+import org.hdispatch.app.console.Choices;
+import org.hdispatch.app.console.Version;
 import org.hdispatch.app.text.Numbers;
 import org.hdispatch.app.text.Table;
 import org.hdispatch.lbm.Storage;

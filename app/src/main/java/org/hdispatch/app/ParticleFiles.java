@@ -1,6 +1,7 @@
 package org.hdispatch.app;
 
 import java.util.List;
+import org.hdispatch.app.console.OutputFolder;
 import org.hdispatch.app.draw.ColourMap;
 import org.hdispatch.porous.io.ImageFileException;
 import org.hdispatch.porous.io.VtiArray;

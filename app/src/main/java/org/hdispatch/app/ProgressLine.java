@@ -4,6 +4,7 @@ import java.io.PrintWriter;
 import java.util.Arrays;
 import java.util.Locale;
 import java.util.OptionalDouble;
+import org.hdispatch.app.console.StatusLine;
 import org.hdispatch.app.text.Numbers;
 import org.hdispatch.porous.darcy.Permeability;
 import org.hdispatch.porous.flow.FlowListener;

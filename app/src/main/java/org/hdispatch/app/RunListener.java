@@ -1,6 +1,7 @@
 package org.hdispatch.app;
 
 import java.util.Locale;
+import org.hdispatch.app.console.StatusLine;
 import org.hdispatch.lbm.duct.DuctRun;
 import org.hdispatch.sph.cases.SphRun;
 

@@ -3,6 +3,7 @@ package org.hdispatch.app;
 import java.util.List;
 import java.util.Optional;
 import java.util.function.DoubleFunction;
+import org.hdispatch.app.console.Choices;
 import org.hdispatch.app.draw.Drawing.Mark;
 import org.hdispatch.app.draw.LogPlot;
 import org.hdispatch.app.draw.PlotInk;

@@ -2,6 +2,7 @@ package org.hdispatch.app;
 
 import java.util.ArrayList;
 import java.util.List;
+import org.hdispatch.app.console.Choices;
 import org.hdispatch.dispatch.Dispatcher;
 import org.hdispatch.sph.SearchMode;
 import org.hdispatch.sph.SphScheme;

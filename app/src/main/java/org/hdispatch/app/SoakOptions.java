@@ -3,6 +3,8 @@ package org.hdispatch.app;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
+import org.hdispatch.app.console.Choices;
+import org.hdispatch.app.console.UsageException;
 import org.hdispatch.app.study.Collector;
 import org.hdispatch.app.study.Jdk;
 import org.hdispatch.app.study.SoakJob;

@@ -1,5 +1,8 @@
 package org.hdispatch.app;
 
+import org.hdispatch.app.console.Choices;
+import org.hdispatch.app.console.Host;
+import org.hdispatch.app.console.StandardOptions;
 import picocli.CommandLine;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;

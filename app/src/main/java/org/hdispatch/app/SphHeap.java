@@ -1,6 +1,7 @@
 package org.hdispatch.app;
 
 import java.util.Locale;
+import org.hdispatch.app.console.Host;
 import org.hdispatch.porous.block.HeapException;
 import org.hdispatch.sph.SearchMode;
 

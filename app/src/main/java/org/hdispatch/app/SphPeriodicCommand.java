@@ -2,6 +2,15 @@ package org.hdispatch.app;
 
 import java.util.Optional;
 import java.util.concurrent.Callable;
+import org.hdispatch.app.console.CommandConsole;
+import org.hdispatch.app.console.ExitCode;
+import org.hdispatch.app.console.Host;
+import org.hdispatch.app.console.OutputFolder;
+import org.hdispatch.app.console.OutputOptions;
+import org.hdispatch.app.console.StandardOptions;
+import org.hdispatch.app.console.ThreadOptions;
+import org.hdispatch.app.console.UsageException;
+import org.hdispatch.app.text.FlatRow;
 import org.hdispatch.app.text.Table;
 import org.hdispatch.porous.io.ImageFileException;
 import org.hdispatch.sph.SphScheme;

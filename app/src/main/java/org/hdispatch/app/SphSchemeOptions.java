@@ -1,5 +1,7 @@
 package org.hdispatch.app;
 
+import org.hdispatch.app.console.Choices;
+import org.hdispatch.app.console.UsageException;
 import org.hdispatch.sph.Particles;
 import org.hdispatch.sph.SearchMode;
 import org.hdispatch.sph.SmoothingKernel;

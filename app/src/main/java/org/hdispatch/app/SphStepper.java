@@ -1,5 +1,7 @@
 package org.hdispatch.app;
 
+import org.hdispatch.app.console.CommandConsole;
+import org.hdispatch.app.console.StatusLine;
 import org.hdispatch.dispatch.Dispatcher;
 import org.hdispatch.sph.SphScheme;
 import org.hdispatch.sph.cases.SphFigures;

@@ -2,6 +2,9 @@ package org.hdispatch.app;
 
 import java.util.List;
 import java.util.Optional;
+import org.hdispatch.app.console.Choices;
+import org.hdispatch.app.console.Host;
+import org.hdispatch.app.console.UsageException;
 import org.hdispatch.porous.block.Pores;
 import org.hdispatch.porous.block.Walls;
 import org.hdispatch.porous.flow.SolidFractions;

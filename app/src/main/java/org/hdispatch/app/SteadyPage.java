@@ -7,6 +7,8 @@ import java.util.Optional;
 import java.util.function.ToDoubleFunction;
 import java.util.stream.DoubleStream;
 import java.util.stream.Stream;
+import org.hdispatch.app.console.Choices;
+import org.hdispatch.app.console.Version;
 import org.hdispatch.app.draw.Drawing.Mark;
 import org.hdispatch.app.draw.LogPlot;
 import org.hdispatch.app.draw.LogPlot.Scale;

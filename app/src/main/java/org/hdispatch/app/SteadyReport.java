@@ -5,7 +5,11 @@ import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
 import java.util.OptionalDouble;
+import org.hdispatch.app.console.Choices;
+import org.hdispatch.app.console.Host;
+import org.hdispatch.app.console.Version;
 import org.hdispatch.app.text.Columns;
+import org.hdispatch.app.text.FlatRow;
 import org.hdispatch.app.text.Numbers;
 import org.hdispatch.app.text.Table;
 

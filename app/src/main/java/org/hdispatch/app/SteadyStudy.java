@@ -3,6 +3,8 @@ package org.hdispatch.app;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.function.Consumer;
+import org.hdispatch.app.console.Choices;
+import org.hdispatch.app.console.UsageException;
 import org.hdispatch.dispatch.Dispatcher;
 import org.hdispatch.porous.flow.Approach;
 import org.hdispatch.porous.flow.FlowListener;

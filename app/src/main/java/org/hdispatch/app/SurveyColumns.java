@@ -2,6 +2,7 @@ package org.hdispatch.app;
 
 import java.util.List;
 import java.util.Set;
+import org.hdispatch.app.text.FlatRow;
 import org.hdispatch.porous.block.BlockColumns;
 import org.hdispatch.porous.survey.SurveyRow;
 

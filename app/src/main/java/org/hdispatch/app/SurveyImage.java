@@ -8,6 +8,8 @@ import java.util.Arrays;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import org.hdispatch.app.console.Choices;
+import org.hdispatch.app.console.Host;
 import org.hdispatch.app.draw.ColourMap;
 import org.hdispatch.app.draw.Picture;
 import org.hdispatch.app.draw.StudyPage.Photo;

@@ -2,6 +2,7 @@ package org.hdispatch.app;
 
 import java.util.Locale;
 import java.util.function.Consumer;
+import org.hdispatch.app.console.Choices;
 import org.hdispatch.app.text.Numbers;
 import org.hdispatch.porous.flow.FlowListener;
 import org.hdispatch.porous.survey.SurveyJob;

@@ -3,6 +3,8 @@ package org.hdispatch.app;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
+import org.hdispatch.app.console.Choices;
+import org.hdispatch.app.console.UsageException;
 import org.hdispatch.porous.io.ImageFileException;
 import org.hdispatch.porous.survey.GivenPoint;
 import org.hdispatch.porous.survey.ReferenceBand;

@@ -2,6 +2,10 @@ package org.hdispatch.app;
 
 import java.util.concurrent.CancellationException;
 import java.util.function.Consumer;
+import org.hdispatch.app.console.CommandConsole;
+import org.hdispatch.app.console.ExitCode;
+import org.hdispatch.app.console.Faults;
+import org.hdispatch.app.console.StatusLine;
 import org.hdispatch.dispatch.Dispatcher;
 import org.hdispatch.porous.block.BlockStudy;
 import org.hdispatch.porous.io.ImageFileException;

@@ -1,6 +1,7 @@
 package org.hdispatch.app;
 
 import java.util.Locale;
+import org.hdispatch.app.console.StatusLine;
 
 /** Shows how far a sweep is, and when it will be done. */
 final class SweepProgress {

@@ -1,5 +1,6 @@
 package org.hdispatch.app;
 
+import org.hdispatch.app.console.Choices;
 import org.hdispatch.porous.block.Walls;
 import picocli.CommandLine.ITypeConverter;
 

@@ -20,6 +20,7 @@ import com.tngtech.archunit.library.GeneralCodingRules;
 import java.lang.invoke.VarHandle;
 import java.util.concurrent.Callable;
 import java.util.concurrent.CancellationException;
+import org.hdispatch.app.console.Faults;
 import org.hdispatch.porous.block.BlockStudy;
 import org.junit.jupiter.api.Test;
 

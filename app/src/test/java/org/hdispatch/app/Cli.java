@@ -9,6 +9,7 @@ import java.util.LinkedHashMap;
 import java.util.Map;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
+import org.hdispatch.app.console.Host;
 
 /**
  * What a command line did, run inside this JVM.

@@ -14,6 +14,7 @@ import java.util.Optional;
 import java.util.TreeSet;
 import java.util.stream.Stream;
 import javax.xml.parsers.DocumentBuilderFactory;
+import org.hdispatch.app.console.Host;
 import org.hdispatch.lbm.KernelForm;
 import org.hdispatch.lbm.Storage;
 import org.hdispatch.lbm.Streaming;

@@ -4,6 +4,7 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.util.Map;
+import org.hdispatch.app.console.Host;
 import org.junit.jupiter.api.Test;
 
 class SettleCommandTest {

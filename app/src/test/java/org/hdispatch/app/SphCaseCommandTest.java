@@ -11,6 +11,8 @@ import java.util.Map;
 import java.util.TreeSet;
 import java.util.stream.Stream;
 import javax.imageio.ImageIO;
+import org.hdispatch.app.console.Choices;
+import org.hdispatch.app.console.Host;
 import org.hdispatch.app.draw.ColourMap;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;

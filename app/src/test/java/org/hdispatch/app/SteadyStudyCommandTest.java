@@ -16,6 +16,7 @@ import java.util.TreeMap;
 import java.util.TreeSet;
 import java.util.concurrent.CancellationException;
 import java.util.stream.Stream;
+import org.hdispatch.app.console.Host;
 import org.hdispatch.app.draw.StudyPageTest;
 import org.hdispatch.porous.flow.FlowOptions;
 import org.hdispatch.porous.pore.PoreSpace;

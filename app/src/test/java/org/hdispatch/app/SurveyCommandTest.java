@@ -17,6 +17,7 @@ import java.util.Map;
 import java.util.Set;
 import java.util.TreeSet;
 import java.util.stream.Stream;
+import org.hdispatch.app.console.Host;
 import org.hdispatch.porous.block.BlockColumns;
 import org.hdispatch.porous.io.CsvLine;
 import org.hdispatch.porous.survey.SurveyRow;

@@ -14,6 +14,7 @@ import java.util.Map;
 import java.util.Random;
 import java.util.concurrent.TimeUnit;
 import java.util.stream.Stream;
+import org.hdispatch.app.console.OutputFolder;
 import org.hdispatch.porous.block.BlockColumns;
 import org.hdispatch.porous.image.Axis;
 import org.hdispatch.porous.image.VoxelBox;

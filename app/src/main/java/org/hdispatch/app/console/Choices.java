@@ -1,4 +1,4 @@
-package org.hdispatch.app;
+package org.hdispatch.app.console;
 
 import java.util.Arrays;
 import java.util.Iterator;
@@ -23,15 +23,20 @@ import org.hdispatch.sph.SumForm;
 import picocli.CommandLine.TypeConversionException;
 
 /** The words for the values of an enumeration: its names in lower case, hyphens between words. */
-abstract class Choices implements Iterable<String> {
+public abstract class Choices implements Iterable<String> {
   private final Enum<?>[] values;
 
-  Choices(Enum<?>[] values) {
+  /**
+   * Makes the words.
+   *
+   * @param values of the enumeration, in their order
+   */
+  public Choices(Enum<?>[] values) {
     this.values = values;
   }
 
   /** The word for a value. */
-  static String word(Enum<?> value) {
+  public static String word(Enum<?> value) {
     return value.name().toLowerCase(Locale.ROOT).replace('_', '-');
   }
 
@@ -40,7 +45,7 @@ abstract class Choices implements Iterable<String> {
    *
    * @throws TypeConversionException if there is none
    */
-  static <E extends Enum<E>> E value(E[] values, String text) {
+  public static <E extends Enum<E>> E value(E[] values, String text) {
     for (E each : values) {
       if (word(each).equalsIgnoreCase(text)) {
         return each;
@@ -55,119 +60,119 @@ abstract class Choices implements Iterable<String> {
   }
 
   /** Words for approaches. */
-  static final class OfApproach extends Choices {
+  public static final class OfApproach extends Choices {
     OfApproach() {
       super(Approach.values());
     }
   }
 
   /** Words for axes. */
-  static final class OfAxis extends Choices {
+  public static final class OfAxis extends Choices {
     OfAxis() {
       super(Axis.values());
     }
   }
 
   /** Words for collisions. */
-  static final class OfCollision extends Choices {
+  public static final class OfCollision extends Choices {
     OfCollision() {
       super(CollisionModel.values());
     }
   }
 
   /** Words for methods. */
-  static final class OfMethod extends Choices {
+  public static final class OfMethod extends Choices {
     OfMethod() {
       super(Method.values());
     }
   }
 
   /** Words for sides. */
-  static final class OfSides extends Choices {
+  public static final class OfSides extends Choices {
     OfSides() {
       super(Sides.values());
     }
   }
 
   /** Words for inlets. */
-  static final class OfInlet extends Choices {
+  public static final class OfInlet extends Choices {
     OfInlet() {
       super(Inlet.values());
     }
   }
 
   /** Words for walls. */
-  static final class OfWalls extends Choices {
+  public static final class OfWalls extends Choices {
     OfWalls() {
       super(Walls.values());
     }
   }
 
   /** Words for the oils of the settling sphere. */
-  static final class OfFluid extends Choices {
+  public static final class OfFluid extends Choices {
     OfFluid() {
       super(SettlingSphere.Fluid.values());
     }
   }
 
   /** Words for sphere packings. */
-  static final class OfSpheres extends Choices {
+  public static final class OfSpheres extends Choices {
     OfSpheres() {
       super(SpherePacking.values());
     }
   }
 
   /** Words for ways of streaming. */
-  static final class OfStreaming extends Choices {
+  public static final class OfStreaming extends Choices {
     OfStreaming() {
       super(Streaming.values());
     }
   }
 
   /** Words for precisions. */
-  static final class OfStorage extends Choices {
+  public static final class OfStorage extends Choices {
     OfStorage() {
       super(Storage.values());
     }
   }
 
   /** Words for forms of the kernel. */
-  static final class OfKernel extends Choices {
+  public static final class OfKernel extends Choices {
     OfKernel() {
       super(KernelForm.values());
     }
   }
 
   /** Words for what is done with blocks that reach outside the sample. */
-  static final class OfOutside extends Choices {
+  public static final class OfOutside extends Choices {
     OfOutside() {
       super(Outside.values());
     }
   }
 
   /** Words for reference bands. */
-  static final class OfBands extends Choices {
+  public static final class OfBands extends Choices {
     OfBands() {
       super(ReferenceBand.values());
     }
   }
 
   /** Words for searches of neighbours. */
-  static final class OfSearch extends Choices {
+  public static final class OfSearch extends Choices {
     OfSearch() {
       super(SearchMode.values());
     }
   }
 
   /** Words for forms of the sums over neighbours. */
-  static final class OfSums extends Choices {
+  public static final class OfSums extends Choices {
     OfSums() {
       super(SumForm.values());
     }
   }
 
   /** Words for lifetimes of scratch. */
-  static final class OfLifetimes extends Choices {
+  public static final class OfLifetimes extends Choices {
     OfLifetimes() {
       super(ScratchLifetime.values());
     }

@@ -1,12 +1,17 @@
-package org.hdispatch.app;
+package org.hdispatch.app.console;
 
 import java.util.function.Supplier;
 
 /** The arguments cannot be meant so; the message is the line that the user sees. */
-final class UsageException extends RuntimeException {
+public final class UsageException extends RuntimeException {
   private static final long serialVersionUID = 1L;
 
-  UsageException(String message) {
+  /**
+   * Refuses arguments.
+   *
+   * @param message what must hold, and what was given
+   */
+  public UsageException(String message) {
     super(message);
   }
 
@@ -19,7 +24,7 @@ final class UsageException extends RuntimeException {
    *
    * @throws UsageException if it throws an {@link IllegalArgumentException}
    */
-  static <T> T orRefused(Supplier<T> made) {
+  public static <T> T orRefused(Supplier<T> made) {
     try {
       return made.get();
     } catch (IllegalArgumentException e) {

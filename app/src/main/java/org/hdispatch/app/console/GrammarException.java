@@ -1,9 +1,9 @@
-package org.hdispatch.app;
+package org.hdispatch.app.console;
 
 import picocli.CommandLine.TypeConversionException;
 
 /** A text that is not of the form that an argument asks for. */
-final class GrammarException extends TypeConversionException {
+public final class GrammarException extends TypeConversionException {
   private static final long serialVersionUID = 1L;
 
   private final String grammar;
@@ -13,7 +13,7 @@ final class GrammarException extends TypeConversionException {
    *
    * @param grammar what it must look like
    */
-  GrammarException(String grammar) {
+  public GrammarException(String grammar) {
     super("text must be " + grammar);
     this.grammar = grammar;
   }

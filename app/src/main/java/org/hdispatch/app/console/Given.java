@@ -1,11 +1,11 @@
-package org.hdispatch.app;
+package org.hdispatch.app.console;
 
 import picocli.CommandLine.ParseResult;
 
 /** What the user gave, as against defaults. */
-record Given(ParseResult parsed) {
+public record Given(ParseResult parsed) {
   /** Whether an option was given. */
-  boolean has(String option) {
+  public boolean has(String option) {
     return parsed.hasMatchedOption(option);
   }
 
@@ -15,7 +15,7 @@ record Given(ParseResult parsed) {
    * @param belongsTo with what it would mean something
    * @throws UsageException if it was given
    */
-  void refuse(String option, String belongsTo) {
+  public void refuse(String option, String belongsTo) {
     if (has(option)) {
       throw new UsageException(option + " must come with " + belongsTo);
     }

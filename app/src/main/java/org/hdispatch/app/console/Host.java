@@ -1,8 +1,9 @@
-package org.hdispatch.app;
+package org.hdispatch.app.console;
 
 import java.nio.file.Path;
 import java.util.Map;
 import java.util.Optional;
+import org.hdispatch.app.text.FlatRow;
 import org.hdispatch.porous.block.HeapException;
 import org.hdispatch.porous.block.HeapLimit;
 
@@ -13,13 +14,14 @@ import org.hdispatch.porous.block.HeapLimit;
  * @param terminal whether somebody watches
  * @param machineFile where findings about this machine are kept, if anywhere
  */
-record Host(long heapBytes, boolean terminal, Optional<Path> machineFile) {
+public record Host(long heapBytes, boolean terminal, Optional<Path> machineFile) {
   /** A host that keeps nothing. */
-  Host(long heapBytes, boolean terminal) {
+  public Host(long heapBytes, boolean terminal) {
     this(heapBytes, terminal, Optional.empty());
   }
 
-  static Host ofThisProcess() {
+  /** What this process runs in. */
+  public static Host ofThisProcess() {
     return new Host(
         Runtime.getRuntime().maxMemory(),
         System.console() != null,
@@ -50,14 +52,15 @@ record Host(long heapBytes, boolean terminal, Optional<Path> machineFile) {
   }
 
   /** Adds what a program runs on. */
-  static FlatRow describe(FlatRow row) {
+  public static FlatRow describe(FlatRow row) {
     return row.put("processors", Runtime.getRuntime().availableProcessors())
         .put("architecture", System.getProperty("os.arch"))
         .put("version", Version.ofProject())
         .put("java", Version.ofJava());
   }
 
-  HeapLimit heap() {
+  /** The heap as what computations must fit into. */
+  public HeapLimit heap() {
     return new HeapLimit(heapBytes);
   }
 
@@ -68,14 +71,14 @@ record Host(long heapBytes, boolean terminal, Optional<Path> machineFile) {
    * @param bytes heap that it takes
    * @throws HeapException if it will not
    */
-  void requireHeap(String what, double bytes) {
+  public void requireHeap(String what, double bytes) {
     heap().require(what, bytes);
   }
 
   /**
    * Heap that is left beside something that takes this much, bytes; negative if it does not fit.
    */
-  double heapBeside(double bytes) {
+  public double heapBeside(double bytes) {
     return heapBytes - HeapLimit.BASE - bytes;
   }
 }

@@ -1,4 +1,4 @@
-package org.hdispatch.app;
+package org.hdispatch.app.text;
 
 import java.util.LinkedHashMap;
 import java.util.List;
@@ -12,36 +12,36 @@ import org.hdispatch.porous.io.CsvLine;
  * One result as keys and values in their order; a value is a string, a number, a truth value, or
  * unknown.
  */
-final class FlatRow {
+public final class FlatRow {
   private final Map<String, Object> values = new LinkedHashMap<>();
 
   /** Adds a value; null, NaN and infinities are unknown. */
-  FlatRow put(String key, Object value) {
+  public FlatRow put(String key, Object value) {
     boolean unknown = value instanceof Double number && !Double.isFinite(number);
     values.put(key, unknown ? null : value);
     return this;
   }
 
   /** Adds a number that may be unknown. */
-  FlatRow put(String key, OptionalDouble value) {
+  public FlatRow put(String key, OptionalDouble value) {
     return put(key, value.isPresent() ? (Object) value.getAsDouble() : null);
   }
 
   /** Adds all of these. */
-  FlatRow putAll(Map<String, ?> more) {
+  public FlatRow putAll(Map<String, ?> more) {
     more.forEach(this::put);
     return this;
   }
 
   /** A JSON array of such objects. */
-  static String toJson(List<FlatRow> rows) {
+  public static String toJson(List<FlatRow> rows) {
     StringJoiner json = new StringJoiner(",\n", "[\n", "\n]\n");
     rows.forEach(row -> json.add(row.toJson().stripTrailing()));
     return json.toString();
   }
 
   /** A JSON object of a row that sums up, {@code summary}, and the {@code rows} themselves. */
-  static String toJson(FlatRow summary, List<FlatRow> rows) {
+  public static String toJson(FlatRow summary, List<FlatRow> rows) {
     return "{\n\"summary\": "
         + summary.toJson().stripTrailing()
         + ",\n\"rows\": "
@@ -50,7 +50,7 @@ final class FlatRow {
   }
 
   /** One JSON object (RFC 8259); unknown is {@code null}. */
-  String toJson() {
+  public String toJson() {
     StringJoiner json = new StringJoiner(",\n  ", "{\n  ", "\n}\n");
     values.forEach((key, value) -> json.add(quoted(key) + ": " + jsonValue(value)));
     return json.toString();
@@ -77,12 +77,12 @@ final class FlatRow {
   }
 
   /** A header and one row (RFC 4180); unknown is an empty field. */
-  String toCsv() {
+  public String toCsv() {
     return toCsv(List.of(this));
   }
 
   /** A header, and a row for each of these, which have the same keys. */
-  static String toCsv(List<FlatRow> rows) {
+  public static String toCsv(List<FlatRow> rows) {
     StringBuilder csv = new StringBuilder();
     csv.append(CsvLine.format(List.copyOf(rows.get(0).values.keySet()))).append('\n');
     for (FlatRow row : rows) {
@@ -92,7 +92,7 @@ final class FlatRow {
   }
 
   /** Tells all keys and their values as text. */
-  void forEach(BiConsumer<String, String> listener) {
+  public void forEach(BiConsumer<String, String> listener) {
     values.keySet().forEach(key -> listener.accept(key, text(key)));
   }
 

@@ -1,17 +1,23 @@
-package org.hdispatch.app;
+package org.hdispatch.app.console;
 
 import java.io.PrintWriter;
 
 /** One line on a terminal, written over and over, and wiped in the end. */
-final class StatusLine implements AutoCloseable {
+public final class StatusLine implements AutoCloseable {
   private final PrintWriter err;
   private int width;
 
-  StatusLine(PrintWriter err) {
+  /**
+   * Makes an empty line.
+   *
+   * @param err the terminal
+   */
+  public StatusLine(PrintWriter err) {
     this.err = err;
   }
 
-  void show(String line) {
+  /** Writes over what stands there. */
+  public void show(String line) {
     err.print("\r" + line + " ".repeat(Math.max(0, width - line.length())));
     err.flush();
     width = line.length();

@@ -1,11 +1,11 @@
-package org.hdispatch.app;
+package org.hdispatch.app.console;
 
 import java.util.ArrayList;
 import java.util.List;
 import picocli.CommandLine.Option;
 
 /** How many threads. */
-final class ThreadOptions {
+public final class ThreadOptions {
   private static final int MOST = 4096;
 
   @Option(
@@ -19,7 +19,7 @@ final class ThreadOptions {
    *
    * @throws UsageException if it is less than 1, or more than any machine has
    */
-  int threads() {
+  public int threads() {
     if (threads < 1 || threads > MOST) {
       throw new UsageException("threads must number 1 to " + MOST + ": threads=" + threads);
     }
@@ -27,7 +27,7 @@ final class ThreadOptions {
   }
 
   /** Some numbers of threads from 1 to the most: 1, 2, 3, 4, 6, 8, 12, 16, 24 ... */
-  static int[] upTo(int most) {
+  public static int[] upTo(int most) {
     List<Integer> counts = new ArrayList<>();
     for (int power = 1; power < most; power *= 2) {
       counts.add(power);

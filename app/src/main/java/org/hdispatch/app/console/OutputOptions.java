@@ -1,12 +1,13 @@
-package org.hdispatch.app;
+package org.hdispatch.app.console;
 
 import java.nio.file.Path;
 import java.util.List;
 import java.util.Optional;
+import org.hdispatch.app.text.FlatRow;
 import picocli.CommandLine.Option;
 
 /** Where the result goes, and in which form. */
-final class OutputOptions {
+public final class OutputOptions {
   @Option(names = "--json", description = "Print the result as flat JSON.")
   private boolean json;
 
@@ -27,7 +28,7 @@ final class OutputOptions {
    *
    * @throws UsageException if two forms are asked for
    */
-  Optional<Path> folder() {
+  public Optional<Path> folder() {
     if (json && csv) {
       throw new UsageException("--json and --csv must not be combined");
     }
@@ -37,17 +38,18 @@ final class OutputOptions {
     return Optional.ofNullable(folder);
   }
 
-  boolean quiet() {
+  /** Whether neither progress nor warnings are wanted. */
+  public boolean quiet() {
     return quiet;
   }
 
   /** The result in the form asked for. */
-  String form(FlatRow row, String text) {
+  public String form(FlatRow row, String text) {
     return json ? row.toJson() : csv ? row.toCsv() : text;
   }
 
   /** Forms of a result. */
-  enum Form {
+  public enum Form {
     /** For people. */
     TEXT,
     /** For programs. */
@@ -57,17 +59,17 @@ final class OutputOptions {
   }
 
   /** The form asked for. */
-  Form form() {
+  public Form form() {
     return json ? Form.JSON : csv ? Form.CSV : Form.TEXT;
   }
 
   /** Several results and what sums them up, in the form asked for; as CSV, the results alone. */
-  String form(FlatRow summary, List<FlatRow> rows, String text) {
+  public String form(FlatRow summary, List<FlatRow> rows, String text) {
     return json ? FlatRow.toJson(summary, rows) : form(rows, text);
   }
 
   /** Several results in the form asked for. */
-  String form(List<FlatRow> rows, String text) {
+  public String form(List<FlatRow> rows, String text) {
     return json ? FlatRow.toJson(rows) : csv ? FlatRow.toCsv(rows) : text;
   }
 }

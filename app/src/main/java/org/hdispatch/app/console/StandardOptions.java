@@ -1,9 +1,9 @@
-package org.hdispatch.app;
+package org.hdispatch.app.console;
 
 import picocli.CommandLine.Option;
 
 /** What every command understands. */
-final class StandardOptions {
+public final class StandardOptions {
   @Option(
       names = {"-h", "--help"},
       usageHelp = true,

@@ -1,4 +1,4 @@
-package org.hdispatch.app;
+package org.hdispatch.app.console;
 
 import java.io.IOException;
 import java.nio.file.FileAlreadyExistsException;
@@ -13,7 +13,7 @@ import org.hdispatch.porous.io.WholeFiles;
  * The folder that files are written to. It is made and tried before the computation, and taken away
  * again if nothing came into it.
  */
-final class OutputFolder implements AutoCloseable {
+public final class OutputFolder implements AutoCloseable {
   private final Path folder;
   private final Deque<Path> made; // innermost first
   private final boolean own; // nobody else comes to it
@@ -29,7 +29,7 @@ final class OutputFolder implements AutoCloseable {
    *
    * @throws ImageFileException if that is not possible; nothing is left behind
    */
-  static OutputFolder open(Path folder) throws ImageFileException {
+  public static OutputFolder open(Path folder) throws ImageFileException {
     return open(folder, true);
   }
 
@@ -37,7 +37,7 @@ final class OutputFolder implements AutoCloseable {
    * Likewise, for a folder that other processes may come to at any time: it is not taken away, as
    * one of them may be about to write its first file.
    */
-  static OutputFolder openShared(Path folder) throws ImageFileException {
+  public static OutputFolder openShared(Path folder) throws ImageFileException {
     return open(folder, false);
   }
 
@@ -77,17 +77,17 @@ final class OutputFolder implements AutoCloseable {
   }
 
   /** The folder itself. */
-  Path path() {
+  public Path path() {
     return folder;
   }
 
   /** A file in this folder. */
-  Path file(String name) {
+  public Path file(String name) {
     return folder.resolve(name);
   }
 
   /** Writes a text as UTF-8; it is whole or not there. */
-  void write(String name, String text) throws ImageFileException {
+  public void write(String name, String text) throws ImageFileException {
     WholeFiles.write(file(name), text);
   }
 

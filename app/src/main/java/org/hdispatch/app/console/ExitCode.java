@@ -1,7 +1,7 @@
-package org.hdispatch.app;
+package org.hdispatch.app.console;
 
 /** What the process says with its exit code. */
-enum ExitCode {
+public enum ExitCode {
   /** The result is there. */
   DONE(0, "done; a rock that does not percolate is done: k = 0"),
   /** A fault of H-Dispatch itself. */
@@ -27,11 +27,13 @@ enum ExitCode {
     this.meaning = meaning;
   }
 
-  int code() {
+  /** The number that the process ends with. */
+  public int code() {
     return code;
   }
 
-  String meaning() {
+  /** What it says, as the help puts it. */
+  public String meaning() {
     return meaning;
   }
 }

@@ -1,4 +1,4 @@
-package org.hdispatch.app;
+package org.hdispatch.app.console;
 
 import java.io.PrintWriter;
 import java.nio.channels.ClosedByInterruptException;
@@ -18,17 +18,23 @@ import picocli.CommandLine.TypeConversionException;
 import picocli.CommandLine.UnmatchedArgumentException;
 
 /** Turns what was thrown into one line on standard error and an exit code. */
-final class Faults {
+public final class Faults {
   private final PrintWriter err;
   private final boolean stacktrace;
 
-  Faults(PrintWriter err, boolean stacktrace) {
+  /**
+   * Makes a reporter.
+   *
+   * @param err receives the lines
+   * @param stacktrace whether stack traces are wanted
+   */
+  public Faults(PrintWriter err, boolean stacktrace) {
     this.err = err;
     this.stacktrace = stacktrace;
   }
 
   /** Says what happened and returns the exit code. */
-  int report(Throwable thrown) {
+  public int report(Throwable thrown) {
     ExitCode code = code(thrown);
     err.println("hdispatch: " + line(code, thrown).replaceAll("\\s*\\R\\s*", " "));
     if (stacktrace) {
@@ -39,7 +45,7 @@ final class Faults {
   }
 
   /** The exit code of what was thrown. */
-  static ExitCode code(Throwable thrown) {
+  public static ExitCode code(Throwable thrown) {
     if (Thread.currentThread().isInterrupted()) {
       return ExitCode.INTERRUPTED; // whatever could not go on because of that
     }
@@ -124,7 +130,7 @@ final class Faults {
   }
 
   /** Makes a command line report through this. */
-  void handle(CommandLine commandLine) {
+  public void handle(CommandLine commandLine) {
     commandLine.setParameterExceptionHandler((e, args) -> report(e));
     commandLine.setExecutionExceptionHandler((e, command, parsed) -> report(e));
   }

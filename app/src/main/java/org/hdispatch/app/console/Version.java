@@ -1,18 +1,18 @@
-package org.hdispatch.app;
+package org.hdispatch.app.console;
 
 import org.hdispatch.gc.GcWatch;
 import org.hdispatch.porous.block.BlockSettings;
 import picocli.CommandLine.IVersionProvider;
 
 /** Versions of H-Dispatch, Java and the collector. */
-final class Version implements IVersionProvider {
+public final class Version implements IVersionProvider {
   /** Version of the project, as in the rows of surveys. */
-  static String ofProject() {
+  public static String ofProject() {
     return BlockSettings.version();
   }
 
   /** Version of the Java runtime. */
-  static String ofJava() {
+  public static String ofJava() {
     return System.getProperty("java.version");
   }
 

@@ -1,4 +1,4 @@
-package org.hdispatch.app;
+package org.hdispatch.app.console;
 
 import java.io.PrintWriter;
 import org.hdispatch.porous.io.ImageFileException;
@@ -11,9 +11,9 @@ import picocli.CommandLine.Model.CommandSpec;
  * @param host whether somebody watches
  * @param quiet whether neither progress nor warnings are wanted
  */
-record CommandConsole(CommandSpec spec, Host host, boolean quiet) {
+public record CommandConsole(CommandSpec spec, Host host, boolean quiet) {
   /** Prints the result. */
-  void print(String text) throws ImageFileException {
+  public void print(String text) throws ImageFileException {
     out().print(text);
     if (out().checkError()) {
       throw new ImageFileException("standard output must be writable");
@@ -21,20 +21,22 @@ record CommandConsole(CommandSpec spec, Host host, boolean quiet) {
   }
 
   /** Whether progress is to be shown. */
-  boolean isWatched() {
+  public boolean isWatched() {
     return host.terminal() && !quiet;
   }
 
-  PrintWriter out() {
+  /** Standard output: the result. */
+  public PrintWriter out() {
     return spec.commandLine().getOut();
   }
 
-  PrintWriter err() {
+  /** Standard error: all but the result. */
+  public PrintWriter err() {
     return spec.commandLine().getErr();
   }
 
   /** Warns in a line, if that is wanted. */
-  void warn(String line) {
+  public void warn(String line) {
     if (!quiet) {
       err().println("hdispatch: warning: " + line);
     }
