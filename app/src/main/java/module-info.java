@@ -17,4 +17,6 @@ module org.hdispatch.app {
       info.picocli;
   opens org.hdispatch.app.console to
       info.picocli;
+  opens org.hdispatch.app.watch to
+      info.picocli;
 }

@@ -6,6 +6,7 @@ import org.hdispatch.app.console.Version;
 import org.hdispatch.app.text.FlatRow;
 import org.hdispatch.app.text.Numbers;
 import org.hdispatch.app.text.Table;
+import org.hdispatch.app.watch.CollectorReport;
 import org.hdispatch.lbm.BundleSize;
 import org.hdispatch.lbm.duct.BandwidthProbe;
 import org.hdispatch.lbm.duct.Duct;

@@ -10,6 +10,7 @@ import org.hdispatch.app.text.Columns;
 import org.hdispatch.app.text.FlatRow;
 import org.hdispatch.app.text.Numbers;
 import org.hdispatch.app.text.Table;
+import org.hdispatch.app.watch.CollectorReport;
 import org.hdispatch.gc.GcWatch;
 import org.hdispatch.sph.SphTimes;
 import org.hdispatch.sph.cases.SphFigures;

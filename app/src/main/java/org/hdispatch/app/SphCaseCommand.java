@@ -15,6 +15,7 @@ import org.hdispatch.app.console.UsageException;
 import org.hdispatch.app.text.FlatRow;
 import org.hdispatch.app.text.Numbers;
 import org.hdispatch.app.text.Table;
+import org.hdispatch.app.watch.GcReportOption;
 import org.hdispatch.porous.io.ImageFileException;
 import org.hdispatch.sph.Particles;
 import org.hdispatch.sph.SphScheme;

@@ -12,6 +12,7 @@ import org.hdispatch.app.console.ThreadOptions;
 import org.hdispatch.app.console.UsageException;
 import org.hdispatch.app.text.FlatRow;
 import org.hdispatch.app.text.Table;
+import org.hdispatch.app.watch.GcReportOption;
 import org.hdispatch.porous.io.ImageFileException;
 import org.hdispatch.sph.SphScheme;
 import org.hdispatch.sph.SphSchemeBuilder;

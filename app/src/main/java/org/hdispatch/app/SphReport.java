@@ -7,6 +7,7 @@ import org.hdispatch.app.console.Version;
 import org.hdispatch.app.text.FlatRow;
 import org.hdispatch.app.text.Numbers;
 import org.hdispatch.app.text.Table;
+import org.hdispatch.app.watch.CollectorReport;
 import org.hdispatch.sph.SphScheme;
 import org.hdispatch.sph.SphTimes;
 import org.hdispatch.sph.cases.SphFigures;

@@ -2,6 +2,9 @@ package org.hdispatch.app;
 
 import org.hdispatch.app.console.CommandConsole;
 import org.hdispatch.app.console.StatusLine;
+import org.hdispatch.app.watch.CollectorReport;
+import org.hdispatch.app.watch.CollectorWatch;
+import org.hdispatch.app.watch.RunListener;
 import org.hdispatch.dispatch.Dispatcher;
 import org.hdispatch.sph.SphScheme;
 import org.hdispatch.sph.cases.SphFigures;

@@ -1,4 +1,4 @@
-package org.hdispatch.app;
+package org.hdispatch.app.watch;
 
 import java.util.Locale;
 import org.hdispatch.app.console.StatusLine;
@@ -6,12 +6,18 @@ import org.hdispatch.lbm.duct.DuctRun;
 import org.hdispatch.sph.cases.SphRun;
 
 /** Watches the collector while a measured run is stepped, and shows how far it is. */
-final class RunListener implements DuctRun.Listener, SphRun.Listener {
+public final class RunListener implements DuctRun.Listener, SphRun.Listener {
   private final CollectorWatch collector;
   private final StatusLine status; // null: nobody watches
   private final String what;
 
-  RunListener(CollectorWatch collector, StatusLine status, String what) {
+  /**
+   * Makes a listener.
+   *
+   * @param status where to show how far it is; null: nobody watches
+   * @param what is run
+   */
+  public RunListener(CollectorWatch collector, StatusLine status, String what) {
     this.collector = collector;
     this.status = status;
     this.what = what;

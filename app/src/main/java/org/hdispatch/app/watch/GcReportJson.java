@@ -1,4 +1,4 @@
-package org.hdispatch.app;
+package org.hdispatch.app.watch;
 
 import com.fasterxml.jackson.jr.ob.JSON;
 import java.io.IOException;

@@ -1,4 +1,4 @@
-package org.hdispatch.app;
+package org.hdispatch.app.watch;
 
 import java.io.UncheckedIOException;
 import java.util.ArrayList;
@@ -15,7 +15,7 @@ import org.hdispatch.porous.flow.FlowListener;
  * measurement, warm-up apart. What the set-up before and the fields after make of garbage does not
  * count.
  */
-final class CollectorWatch implements FlowListener, AutoCloseable {
+public final class CollectorWatch implements FlowListener, AutoCloseable {
   /*
    * The recorder starts at once and not with the first step: in JDK 17 its first start changes
    * classes of the JDK, and with that the JVM drops all code it has compiled so far.
@@ -51,7 +51,7 @@ final class CollectorWatch implements FlowListener, AutoCloseable {
    * @param after after warm-up
    * @param details part by part
    */
-  record Figures(Window warmUp, Window after, List<Detail> details) {}
+  public record Figures(Window warmUp, Window after, List<Detail> details) {}
 
   /**
    * What the collector did in a window.
@@ -90,7 +90,7 @@ final class CollectorWatch implements FlowListener, AutoCloseable {
   }
 
   /** Stepping begins. */
-  void begin() {
+  public void begin() {
     watch.mark();
     begun = true;
   }
@@ -111,7 +111,7 @@ final class CollectorWatch implements FlowListener, AutoCloseable {
    *
    * @throws UncheckedIOException if the record of the collector cannot be read
    */
-  Figures figures() {
+  public Figures figures() {
     List<GcReport> reports = watch.stop();
     List<Detail> details = new ArrayList<>();
     for (Part part : Part.values()) {
@@ -133,7 +133,7 @@ final class CollectorWatch implements FlowListener, AutoCloseable {
    * @param console where to
    * @return what the collector did, if that can be read
    */
-  Optional<Figures> figures(CommandConsole console) {
+  public Optional<Figures> figures(CommandConsole console) {
     try {
       return Optional.of(figures());
     } catch (UncheckedIOException e) { // a pity, but the result is worth more

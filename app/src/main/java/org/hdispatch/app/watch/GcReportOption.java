@@ -1,4 +1,4 @@
-package org.hdispatch.app;
+package org.hdispatch.app.watch;
 
 import java.io.IOException;
 import java.nio.ByteBuffer;
@@ -11,7 +11,7 @@ import org.hdispatch.porous.io.WholeFiles;
 import picocli.CommandLine.Option;
 
 /** Where to write in detail what the garbage collector did. */
-final class GcReportOption {
+public final class GcReportOption {
   @Option(
       names = "--gc-report",
       paramLabel = "FILE",
@@ -26,7 +26,7 @@ final class GcReportOption {
    *
    * @throws ImageFileException if it cannot be written; nothing is left behind
    */
-  void check() throws ImageFileException {
+  public void check() throws ImageFileException {
     if (file == null) {
       return;
     }
@@ -48,7 +48,7 @@ final class GcReportOption {
    *
    * @throws ImageFileException if that cannot be done
    */
-  void write(CollectorReport report) throws ImageFileException {
+  public void write(CollectorReport report) throws ImageFileException {
     if (file == null) {
       return;
     }

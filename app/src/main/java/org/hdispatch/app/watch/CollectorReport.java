@@ -1,4 +1,4 @@
-package org.hdispatch.app;
+package org.hdispatch.app.watch;
 
 import java.util.Locale;
 import java.util.Optional;
@@ -16,11 +16,11 @@ import org.hdispatch.gc.GcWatch;
  * @param stats what the workers did after warm-up
  * @param warmUpSteps steps before that
  */
-record CollectorReport(
+public record CollectorReport(
     Optional<CollectorWatch.Figures> figures, LoopStats stats, long warmUpSteps) {
 
   /** Adds lines, if anything was stepped and watched. */
-  void putInto(Table table) {
+  public void putInto(Table table) {
     if (figures.isEmpty() || warmUpSteps + stats.steps() == 0) {
       table.line("collector", GcWatch.collector());
       return;
@@ -59,7 +59,7 @@ record CollectorReport(
   }
 
   /** Adds keys and values. */
-  void putInto(FlatRow row) {
+  public void putInto(FlatRow row) {
     Optional<CollectorWatch.Window> after = figures.map(CollectorWatch.Figures::after);
     Optional<CollectorWatch.Window> warmUp = figures.map(CollectorWatch.Figures::warmUp);
     row.put("collector", GcWatch.collector())
@@ -80,7 +80,7 @@ record CollectorReport(
   }
 
   /** Bytes that the worst worker allocated per step, or null if that is not known. */
-  static Long bytes(LoopStats stats) {
+  public static Long bytes(LoopStats stats) {
     long bytes = stats.bytesPerStep();
     return bytes == LoopStats.NOT_MEASURED ? null : bytes;
   }

@@ -1,10 +1,10 @@
-package org.hdispatch.app;
+package org.hdispatch.app.watch;
 
 import java.util.List;
 import org.hdispatch.porous.flow.FlowListener;
 
 /** Several listeners as one; all hear everything, in their order, and one that has enough does. */
-record Listeners(List<FlowListener> all) implements FlowListener {
+public record Listeners(List<FlowListener> all) implements FlowListener {
   @Override
   public void started(Start start) {
     all.forEach(each -> each.started(start));
