@@ -8,6 +8,7 @@ import org.hdispatch.app.console.OutputFolder;
 import org.hdispatch.app.draw.ColourMap;
 import org.hdispatch.app.draw.Picture;
 import org.hdispatch.app.draw.Plane;
+import org.hdispatch.app.rock.ImageSource;
 import org.hdispatch.app.text.FlatRow;
 import org.hdispatch.app.text.Numbers;
 import org.hdispatch.app.text.Table;

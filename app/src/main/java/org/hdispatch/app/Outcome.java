@@ -2,6 +2,7 @@ package org.hdispatch.app;
 
 import java.util.Optional;
 import java.util.OptionalDouble;
+import org.hdispatch.app.rock.Rock;
 import org.hdispatch.app.watch.CollectorReport;
 import org.hdispatch.app.watch.CollectorWatch;
 import org.hdispatch.porous.block.FlowFigures;

@@ -4,6 +4,7 @@ import java.util.List;
 import java.util.Optional;
 import java.util.OptionalDouble;
 import java.util.function.ToDoubleFunction;
+import org.hdispatch.app.rock.Rock;
 import org.hdispatch.porous.darcy.Permeability;
 import org.hdispatch.porous.flow.SteadyFlow;
 

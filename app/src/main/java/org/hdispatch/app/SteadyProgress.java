@@ -2,6 +2,7 @@ package org.hdispatch.app;
 
 import java.util.Locale;
 import org.hdispatch.app.console.StatusLine;
+import org.hdispatch.app.rock.Rock;
 import org.hdispatch.app.text.Numbers;
 import org.hdispatch.porous.flow.FlowListener;
 

@@ -5,6 +5,7 @@ import java.util.List;
 import java.util.function.Consumer;
 import org.hdispatch.app.console.Choices;
 import org.hdispatch.app.console.UsageException;
+import org.hdispatch.app.rock.Rock;
 import org.hdispatch.app.watch.Listeners;
 import org.hdispatch.dispatch.Dispatcher;
 import org.hdispatch.porous.flow.Approach;

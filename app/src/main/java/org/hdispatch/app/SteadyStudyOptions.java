@@ -9,6 +9,7 @@ import java.util.OptionalDouble;
 import org.hdispatch.app.console.Choices;
 import org.hdispatch.app.console.Host;
 import org.hdispatch.app.console.UsageException;
+import org.hdispatch.app.rock.Rock;
 import org.hdispatch.porous.block.HeapException;
 import org.hdispatch.porous.block.Pores;
 import org.hdispatch.porous.flow.FlowOptions;

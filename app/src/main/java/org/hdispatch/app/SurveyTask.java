@@ -7,6 +7,7 @@ import org.hdispatch.app.console.Choices;
 import org.hdispatch.app.console.ExitCode;
 import org.hdispatch.app.console.Faults;
 import org.hdispatch.app.console.UsageException;
+import org.hdispatch.app.rock.ImageSource;
 import org.hdispatch.app.text.FlatRow;
 import org.hdispatch.porous.block.BlockColumns;
 import org.hdispatch.porous.block.BlockStudy;

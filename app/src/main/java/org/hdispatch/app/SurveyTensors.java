@@ -5,6 +5,7 @@ import java.util.List;
 import java.util.Optional;
 import java.util.OptionalDouble;
 import java.util.stream.Stream;
+import org.hdispatch.app.rock.TensorFigures;
 import org.hdispatch.app.text.FlatRow;
 import org.hdispatch.app.text.Numbers;
 import org.hdispatch.app.text.Table;

@@ -4,6 +4,7 @@ import java.io.IOException;
 import java.nio.file.Path;
 import java.util.Arrays;
 import java.util.List;
+import org.hdispatch.app.rock.SampleRock;
 import org.hdispatch.porous.image.VoxelBox;
 import org.hdispatch.porous.image.VoxelImage;
 

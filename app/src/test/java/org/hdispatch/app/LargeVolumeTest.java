@@ -10,6 +10,7 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.OptionalDouble;
 import java.util.Random;
+import org.hdispatch.app.rock.SampleRock;
 import org.hdispatch.porous.image.VoxelBox;
 import org.hdispatch.porous.image.VoxelImage;
 import org.hdispatch.porous.io.Hdf5Images;

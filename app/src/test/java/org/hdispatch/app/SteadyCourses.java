@@ -5,6 +5,7 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Optional;
 import java.util.OptionalDouble;
+import org.hdispatch.app.rock.Rock;
 import org.hdispatch.porous.flow.Approach;
 import org.hdispatch.porous.pore.PoreSpace;
 

@@ -18,6 +18,7 @@ import java.util.concurrent.CancellationException;
 import java.util.stream.Stream;
 import org.hdispatch.app.console.Host;
 import org.hdispatch.app.draw.StudyPageTest;
+import org.hdispatch.app.rock.Rock;
 import org.hdispatch.porous.flow.FlowOptions;
 import org.hdispatch.porous.pore.PoreSpace;
 import org.junit.jupiter.api.Test;

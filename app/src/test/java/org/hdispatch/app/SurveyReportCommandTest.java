@@ -15,6 +15,7 @@ import java.util.Map;
 import java.util.stream.IntStream;
 import javax.imageio.ImageIO;
 import org.hdispatch.app.draw.StudyPageTest;
+import org.hdispatch.app.rock.SampleRock;
 import org.hdispatch.porous.image.Axis;
 import org.hdispatch.porous.image.VoxelBox;
 import org.hdispatch.porous.survey.Shard;

@@ -1,4 +1,4 @@
-package org.hdispatch.app;
+package org.hdispatch.app.rock;
 
 import java.io.IOException;
 import java.io.InputStream;
@@ -18,7 +18,7 @@ import org.hdispatch.porous.image.VoxelImage;
  * porosity of 0.192 (the whole: 0.196), percolating along x, y and z, and with permeabilities of
  * 1.0 to 1.7 D along them.
  */
-final class SampleRock implements ImageSource {
+public final class SampleRock implements ImageSource {
   /** Edge of a voxel, m (README of the image). */
   static final double VOXEL_EDGE = 5.345e-6;
 

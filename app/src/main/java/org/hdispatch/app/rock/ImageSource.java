@@ -1,4 +1,4 @@
-package org.hdispatch.app;
+package org.hdispatch.app.rock;
 
 import java.io.IOException;
 import java.nio.file.Files;
@@ -21,7 +21,7 @@ import org.hdispatch.porous.io.RawImages;
 import org.hdispatch.porous.io.TiffImages;
 
 /** Where an image comes from; its size is known, none of its voxels has been read. */
-interface ImageSource extends ImageFile {
+public interface ImageSource extends ImageFile {
   /** What to cite, line by line. */
   default List<String> citation() {
     return List.of();

@@ -1,4 +1,4 @@
-package org.hdispatch.app;
+package org.hdispatch.app.rock;
 
 import java.util.List;
 import java.util.Optional;
@@ -18,7 +18,7 @@ import org.hdispatch.porous.image.Axis;
 import picocli.CommandLine.Option;
 
 /** How the flow is computed, its direction apart. */
-final class FlowSettings {
+public final class FlowSettings {
   @Option(
       names = "--tolerance",
       paramLabel = "E",
@@ -128,12 +128,13 @@ final class FlowSettings {
               + " hydraulic diameter, from where on k hardly depends on it.")
   private Integer inletLayers;
 
-  Walls walls() {
+  /** How the fluid sees the walls. */
+  public Walls walls() {
     return walls;
   }
 
   /** Grey values of pore and solid, if given. */
-  Optional<List<Integer>> solidFractionRange() {
+  public Optional<List<Integer>> solidFractionRange() {
     if (solidFractionRange != null && solidFractionRange.size() != 2) {
       throw new UsageException(
           "--solid-fraction-range must be 2 integers: --solid-fraction-range="

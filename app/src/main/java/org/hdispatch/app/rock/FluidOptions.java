@@ -1,11 +1,11 @@
-package org.hdispatch.app;
+package org.hdispatch.app.rock;
 
 import org.hdispatch.app.console.UsageException;
 import org.hdispatch.porous.darcy.PhysicalFlow;
 import picocli.CommandLine.Option;
 
 /** The fluid and its drive: they set velocities, never k. */
-final class FluidOptions {
+public final class FluidOptions {
   @Option(
       names = "--viscosity",
       paramLabel = "M2_PER_S",
@@ -29,7 +29,7 @@ final class FluidOptions {
    *
    * @throws UsageException if a property is not a positive number
    */
-  PhysicalFlow fluid() {
+  public PhysicalFlow fluid() {
     return UsageException.orRefused(() -> new PhysicalFlow(viscosity, density, pressureGradient));
   }
 }

@@ -1,4 +1,4 @@
-package org.hdispatch.app;
+package org.hdispatch.app.rock;
 
 import java.util.List;
 import org.hdispatch.app.console.Choices;
@@ -8,7 +8,7 @@ import org.hdispatch.porous.flow.SphOptions;
 import picocli.CommandLine.Option;
 
 /** Which method computes the flow, and what belongs to particles alone. */
-final class MethodOptions {
+public final class MethodOptions {
   /** Estimated relative error of k at which particles stop, if none is given. */
   static final double SPH_TOLERANCE = 1e-2;
 
@@ -60,7 +60,7 @@ final class MethodOptions {
    *
    * @throws UsageException if it is not 1 to 16
    */
-  int refine() {
+  public int refine() {
     if (refine < 1 || refine > 16) {
       throw new UsageException("--refine must be 1 to 16: N=" + refine);
     }

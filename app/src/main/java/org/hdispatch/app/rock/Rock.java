@@ -1,4 +1,4 @@
-package org.hdispatch.app;
+package org.hdispatch.app.rock;
 
 import java.util.ArrayList;
 import java.util.LinkedHashMap;
@@ -28,7 +28,7 @@ import org.hdispatch.porous.pore.PoreSpace;
  * @param origin how it was made: key, value
  * @param citation what to cite, line by line
  */
-record Rock(
+public record Rock(
     String name,
     PoreSpace space,
     Optional<SolidFractions> solid,
@@ -36,12 +36,12 @@ record Rock(
     Map<String, Object> origin,
     List<String> citation) {
   /** Keeps copies of the lists. */
-  Rock {
+  public Rock {
     citation = List.copyOf(citation);
   }
 
   /** What flows take of it. */
-  Pores pores() {
+  public Pores pores() {
     return new Pores(space, solid);
   }
 
@@ -51,7 +51,7 @@ record Rock(
    * @throws UsageException if the box does not fit the image, or no voxel edge is known
    * @throws ImageFileException if the image cannot be read, or has no pore there
    */
-  static Rock of(ImageSource source, ImageOptions options, FlowSettings settings, Host host)
+  public static Rock of(ImageSource source, ImageOptions options, FlowSettings settings, Host host)
       throws ImageFileException {
     VoxelBox box = boxOf(source, options.box());
     return of(source, box, options, settings.walls(), settings.solidFractionRange(), host);
@@ -64,7 +64,7 @@ record Rock(
    * @throws UsageException if no voxel edge is known
    * @throws ImageFileException if the image cannot be read, or has no pore there
    */
-  static Rock of(ImageSource source, VoxelBox box, ImageOptions options, Host host)
+  public static Rock of(ImageSource source, VoxelBox box, ImageOptions options, Host host)
       throws ImageFileException {
     return of(source, box, options, Walls.BOUNCE_BACK, Optional.empty(), host);
   }
@@ -101,7 +101,7 @@ record Rock(
    *
    * @throws UsageException if it is not known
    */
-  static OptionalDouble edgeOf(ImageSource source, ImageOptions options) {
+  public static OptionalDouble edgeOf(ImageSource source, ImageOptions options) {
     OptionalDouble edge = options.voxelEdgeOr(source.voxelEdge());
     if (edge.isEmpty()) {
       throw new UsageException(
@@ -142,7 +142,7 @@ record Rock(
   }
 
   /** Regular spheres. */
-  static Rock of(SphereOptions spheres, ImageOptions options, Walls walls, Host host) {
+  public static Rock of(SphereOptions spheres, ImageOptions options, Walls walls, Host host) {
     OptionalDouble edge = options.voxelEdgeOr(OptionalDouble.empty());
     PoreSpace space = spheres.poreSpace(host);
     String packing = Choices.word(spheres.packing().orElseThrow());
@@ -159,7 +159,7 @@ record Rock(
    * @param n voxels along an edge of one
    * @throws UsageException if its walls are immersed
    */
-  Rock refined(int n, Host host) {
+  public Rock refined(int n, Host host) {
     if (n == 1) {
       return this;
     }
@@ -172,7 +172,7 @@ record Rock(
   }
 
   /** The box to take, checked to lie inside. */
-  static VoxelBox boxOf(ImageSource source, Optional<VoxelBox> given) {
+  public static VoxelBox boxOf(ImageSource source, Optional<VoxelBox> given) {
     VoxelBox whole = source.whole();
     VoxelBox box = given.orElse(whole);
     return UsageException.orRefused(
@@ -183,7 +183,8 @@ record Rock(
   }
 
   /** Reads a box, if it fits into the heap. */
-  static VoxelImage read(ImageSource source, VoxelBox box, Host host) throws ImageFileException {
+  public static VoxelImage read(ImageSource source, VoxelBox box, Host host)
+      throws ImageFileException {
     host.requireHeap(
         "an image of " + box.voxels() + " voxels", (double) Pores.BYTES_PER_VOXEL * box.voxels());
     return source.read(box);

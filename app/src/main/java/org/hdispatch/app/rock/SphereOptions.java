@@ -1,4 +1,4 @@
-package org.hdispatch.app;
+package org.hdispatch.app.rock;
 
 import java.util.List;
 import java.util.Optional;
@@ -13,9 +13,9 @@ import org.hdispatch.porous.pore.SpherePacking;
 import picocli.CommandLine.Option;
 
 /** A regular packing of equal spheres instead of an image. */
-final class SphereOptions {
+public final class SphereOptions {
   /** The options that need {@code --spheres}. */
-  static final List<String> NAMES = List.of("--solid-fraction", "--size");
+  public static final List<String> NAMES = List.of("--solid-fraction", "--size");
 
   @Option(
       names = "--spheres",
@@ -40,7 +40,8 @@ final class SphereOptions {
       description = "Edge of the cubic cell, voxels.")
   private int size;
 
-  Optional<SpherePacking> packing() {
+  /** The packing, if spheres are asked for. */
+  public Optional<SpherePacking> packing() {
     return Optional.ofNullable(packing);
   }
 

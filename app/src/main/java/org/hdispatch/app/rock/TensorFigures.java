@@ -1,4 +1,4 @@
-package org.hdispatch.app;
+package org.hdispatch.app.rock;
 
 import java.util.ArrayList;
 import java.util.List;
@@ -22,7 +22,7 @@ import org.hdispatch.porous.image.Axis;
  * @param tensor all of it, voxel²; empty if the sides were not periodic, as nothing flows across
  * @param voxelEdge edge of a voxel, m, if known
  */
-record TensorFigures(
+public record TensorFigures(
     List<Double> diagonal, Optional<PermeabilityTensor> tensor, OptionalDouble voxelEdge) {
   private static final int DIGITS = 5;
   private static final int FEW = 3;
@@ -33,7 +33,7 @@ record TensorFigures(
    * @param diagonal permeability along each axis, voxel²
    * @param columns what each of them gave
    */
-  static TensorFigures of(
+  public static TensorFigures of(
       List<Double> diagonal, List<Optional<PermeabilityColumn>> columns, OptionalDouble voxelEdge) {
     Optional<PermeabilityTensor> tensor =
         columns.stream().allMatch(Optional::isPresent)
@@ -56,14 +56,14 @@ record TensorFigures(
   }
 
   /** Greatest over least permeability along an axis; empty where one is 0. */
-  OptionalDouble diagonalRatio() {
+  public OptionalDouble diagonalRatio() {
     double least = Math.min(diagonal.get(0), Math.min(diagonal.get(1), diagonal.get(2)));
     double most = Math.max(diagonal.get(0), Math.max(diagonal.get(1), diagonal.get(2)));
     return least > 0 ? OptionalDouble.of(most / least) : OptionalDouble.empty();
   }
 
   /** Adds it to a row: entries row by row, then what follows from them. */
-  FlatRow putInto(FlatRow row) {
+  public FlatRow putInto(FlatRow row) {
     for (Axis flux : Axis.values()) {
       for (Axis gradient : Axis.values()) {
         String entry = Choices.word(flux) + Choices.word(gradient);
@@ -91,7 +91,7 @@ record TensorFigures(
   }
 
   /** As lines for people. */
-  void putInto(Table table) {
+  public void putInto(Table table) {
     if (tensor.isEmpty()) {
       table.line(
           "tensor",

@@ -1,4 +1,4 @@
-package org.hdispatch.app;
+package org.hdispatch.app.rock;
 
 import java.nio.file.Path;
 import java.util.Arrays;
@@ -14,9 +14,9 @@ import picocli.CommandLine.Option;
 import picocli.CommandLine.Parameters;
 
 /** Which image, and how it is to be read. */
-final class ImageOptions {
+public final class ImageOptions {
   /** The options that belong to an image and to nothing else. */
-  static final List<String> NAMES = List.of("--dataset", "--dims", "--box", "--pore-value");
+  public static final List<String> NAMES = List.of("--dataset", "--dims", "--box", "--pore-value");
 
   /** Six integers, small enough for any image. */
   private static final Pattern BOX = Pattern.compile("(\\s*-?\\d{1,9}\\s*,){5}\\s*-?\\d{1,9}\\s*");
@@ -69,7 +69,8 @@ final class ImageOptions {
               + " a unit is stated; MetaImage: mm unless stated; TIFF, NumPy and raw do not say it).")
   private Double voxelEdge;
 
-  Optional<Path> image() {
+  /** The file, if one is given. */
+  public Optional<Path> image() {
     return Optional.ofNullable(image);
   }
 
@@ -91,7 +92,7 @@ final class ImageOptions {
    *
    * @throws UsageException if there are several
    */
-  Optional<VoxelBox> box() {
+  public Optional<VoxelBox> box() {
     List<VoxelBox> all = boxes();
     if (all.size() > 1) {
       throw new UsageException("--box must come once: --box=" + String.join(" ", boxes));
@@ -100,7 +101,7 @@ final class ImageOptions {
   }
 
   /** Parts of the image to take; none if none is given. */
-  List<VoxelBox> boxes() {
+  public List<VoxelBox> boxes() {
     return boxes == null ? List.of() : boxes.stream().map(ImageOptions::parsed).toList();
   }
 
@@ -112,13 +113,14 @@ final class ImageOptions {
     return UsageException.orRefused(() -> new VoxelBox(n[0], n[1], n[2], n[3], n[4], n[5]));
   }
 
-  LabelRule rule() {
+  /** Which labels are pore. */
+  public LabelRule rule() {
     int[] labels = poreValue.stream().mapToInt(Integer::intValue).toArray();
     return UsageException.orRefused(() -> LabelRule.poreIs(labels));
   }
 
   /** The given edge, checked, or else the known one. */
-  OptionalDouble voxelEdgeOr(OptionalDouble known) {
+  public OptionalDouble voxelEdgeOr(OptionalDouble known) {
     OptionalDouble edge = voxelEdge == null ? known : OptionalDouble.of(voxelEdge);
     return UsageException.orRefused(() -> new Permeability(0, edge)).voxelEdge();
   }

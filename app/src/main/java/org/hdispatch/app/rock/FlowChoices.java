@@ -1,4 +1,4 @@
-package org.hdispatch.app;
+package org.hdispatch.app.rock;
 
 import org.hdispatch.app.console.Given;
 import org.hdispatch.app.console.UsageException;
@@ -9,7 +9,7 @@ import org.hdispatch.porous.flow.FlowOptions;
 import org.hdispatch.porous.flow.SphOptions;
 
 /** From options to a method and its settings. */
-final class FlowChoices {
+public final class FlowChoices {
   private FlowChoices() {}
 
   /**
@@ -17,7 +17,7 @@ final class FlowChoices {
    *
    * @throws UsageException if options do not go together, or one is out of its bounds
    */
-  static FlowChoice of(MethodOptions method, FlowSettings settings, Given given) {
+  public static FlowChoice of(MethodOptions method, FlowSettings settings, Given given) {
     if (method.method() == Method.SPH) {
       MethodOptions.LBM_NAMES.forEach(name -> given.refuse(name, "--method lbm"));
     } else {
