@@ -1,4 +1,4 @@
-package org.hdispatch.app;
+package org.hdispatch.app.permeability;
 
 import java.util.concurrent.Callable;
 import org.hdispatch.app.console.CommandConsole;
@@ -26,7 +26,7 @@ import picocli.CommandLine.Spec;
       "Without IMAGE: the bundled sample of Berea sandstone.",
       "--output writes the three middle planes as PNG: pore blue, isolated pore orange, solid grey."
     })
-final class InspectCommand implements Callable<Integer> {
+public final class InspectCommand implements Callable<Integer> {
   private final Host host;
 
   @Mixin private final ImageOptions imageOptions = new ImageOptions();
@@ -34,7 +34,12 @@ final class InspectCommand implements Callable<Integer> {
   @Mixin private final StandardOptions standard = new StandardOptions();
   @Spec private CommandSpec spec;
 
-  InspectCommand(Host host) {
+  /**
+   * Makes the command.
+   *
+   * @param host what it runs in
+   */
+  public InspectCommand(Host host) {
     this.host = host;
   }
 

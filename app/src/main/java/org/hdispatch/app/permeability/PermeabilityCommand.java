@@ -1,4 +1,4 @@
-package org.hdispatch.app;
+package org.hdispatch.app.permeability;
 
 import java.util.ArrayList;
 import java.util.List;
@@ -53,7 +53,7 @@ import picocli.CommandLine.Spec;
       "Compute the permeability of a rock image along one axis, or its tensor.",
       "Without IMAGE and --spheres: of the bundled sample of Berea sandstone."
     })
-final class PermeabilityCommand implements Callable<Integer> {
+public final class PermeabilityCommand implements Callable<Integer> {
   /** Above this the drag is no longer proportional to the velocity, and k means little. */
   private static final double DARCY_REYNOLDS = 1;
 
@@ -71,7 +71,12 @@ final class PermeabilityCommand implements Callable<Integer> {
   @Mixin private final StandardOptions standard = new StandardOptions();
   @Spec private CommandSpec spec;
 
-  PermeabilityCommand(Host host) {
+  /**
+   * Makes the command.
+   *
+   * @param host what it runs in
+   */
+  public PermeabilityCommand(Host host) {
     this.host = host;
   }
 

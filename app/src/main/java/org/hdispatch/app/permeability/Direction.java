@@ -1,4 +1,4 @@
-package org.hdispatch.app;
+package org.hdispatch.app.permeability;
 
 import java.util.List;
 import org.hdispatch.porous.image.Axis;

@@ -1,4 +1,4 @@
-package org.hdispatch.app;
+package org.hdispatch.app.permeability;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
@@ -9,6 +9,8 @@ import java.nio.file.Path;
 import java.util.List;
 import java.util.Map;
 import javax.imageio.ImageIO;
+import org.hdispatch.app.Cli;
+import org.hdispatch.app.RawFile;
 import org.hdispatch.app.draw.ColourMap;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;

@@ -1,4 +1,4 @@
-package org.hdispatch.app;
+package org.hdispatch.app.permeability;
 
 import static org.junit.jupiter.api.Assertions.assertArrayEquals;
 import static org.junit.jupiter.api.Assertions.assertEquals;
@@ -16,6 +16,8 @@ import java.util.Map;
 import java.util.TreeSet;
 import java.util.stream.Stream;
 import javax.imageio.ImageIO;
+import org.hdispatch.app.Cli;
+import org.hdispatch.app.RawFile;
 import org.hdispatch.app.console.Host;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
