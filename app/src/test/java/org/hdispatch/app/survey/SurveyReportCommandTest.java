@@ -1,4 +1,4 @@
-package org.hdispatch.app;
+package org.hdispatch.app.survey;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
@@ -14,6 +14,8 @@ import java.util.List;
 import java.util.Map;
 import java.util.stream.IntStream;
 import javax.imageio.ImageIO;
+import org.hdispatch.app.Cli;
+import org.hdispatch.app.Forked;
 import org.hdispatch.app.draw.StudyPageTest;
 import org.hdispatch.app.rock.SampleRock;
 import org.hdispatch.porous.image.Axis;

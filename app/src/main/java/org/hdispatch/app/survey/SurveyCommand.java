@@ -1,4 +1,4 @@
-package org.hdispatch.app;
+package org.hdispatch.app.survey;
 
 import java.nio.file.Path;
 import java.util.List;
@@ -39,7 +39,7 @@ import picocli.CommandLine.Spec;
           + " ended. A block that does not percolate, does not converge, lies outside or fails is a"
           + " row that says so; then the exit code is 0 for the first and third, 4 for the others."
     })
-final class SurveyCommand implements Callable<Integer> {
+public final class SurveyCommand implements Callable<Integer> {
   private static final List<String> WITH_COLLECT =
       List.of("--collect", "--json", "--csv", "--quiet", "--stacktrace");
 
@@ -55,7 +55,12 @@ final class SurveyCommand implements Callable<Integer> {
   @Mixin private final StandardOptions standard = new StandardOptions();
   @Spec private CommandSpec spec;
 
-  SurveyCommand(Host host) {
+  /**
+   * Makes the command.
+   *
+   * @param host what it runs in
+   */
+  public SurveyCommand(Host host) {
     this.host = host;
   }
 

@@ -1,4 +1,4 @@
-package org.hdispatch.app;
+package org.hdispatch.app.survey;
 
 import static org.junit.jupiter.api.Assertions.assertArrayEquals;
 import static org.junit.jupiter.api.Assertions.assertEquals;
@@ -17,6 +17,9 @@ import java.util.Map;
 import java.util.Set;
 import java.util.TreeSet;
 import java.util.stream.Stream;
+import org.hdispatch.app.Cli;
+import org.hdispatch.app.Forked;
+import org.hdispatch.app.RawFile;
 import org.hdispatch.app.console.Host;
 import org.hdispatch.porous.block.BlockColumns;
 import org.hdispatch.porous.io.CsvLine;

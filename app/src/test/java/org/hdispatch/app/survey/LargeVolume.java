@@ -1,4 +1,4 @@
-package org.hdispatch.app;
+package org.hdispatch.app.survey;
 
 import java.io.IOException;
 import java.nio.file.Path;
@@ -17,7 +17,7 @@ import org.hdispatch.porous.image.VoxelImage;
  *
  * <pre>
  * mvn -q -B test-compile -pl app -am
- * java -cp app/target/test-classes:app/target/classes:porous/target/classes org.hdispatch.app.LargeVolume core.h5
+ * java -cp app/target/test-classes:app/target/classes:porous/target/classes org.hdispatch.app.survey.LargeVolume core.h5
  * ./hdispatch survey core.h5 --block 200 --blocks 0,40,364,728 --outside-value 2 --output survey
  * </pre>
  */

@@ -1,4 +1,4 @@
-package org.hdispatch.app;
+package org.hdispatch.app.survey;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
@@ -14,6 +14,9 @@ import java.util.Map;
 import java.util.Random;
 import java.util.concurrent.TimeUnit;
 import java.util.stream.Stream;
+import org.hdispatch.app.Cli;
+import org.hdispatch.app.Forked;
+import org.hdispatch.app.RawFile;
 import org.hdispatch.app.console.OutputFolder;
 import org.hdispatch.porous.block.BlockColumns;
 import org.hdispatch.porous.image.Axis;

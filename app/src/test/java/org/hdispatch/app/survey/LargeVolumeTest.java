@@ -1,4 +1,4 @@
-package org.hdispatch.app;
+package org.hdispatch.app.survey;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
@@ -10,6 +10,9 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.OptionalDouble;
 import java.util.Random;
+import org.hdispatch.app.Cli;
+import org.hdispatch.app.Forked;
+import org.hdispatch.app.RawFile;
 import org.hdispatch.app.rock.SampleRock;
 import org.hdispatch.porous.image.VoxelBox;
 import org.hdispatch.porous.image.VoxelImage;

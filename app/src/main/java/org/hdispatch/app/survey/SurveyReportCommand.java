@@ -1,4 +1,4 @@
-package org.hdispatch.app;
+package org.hdispatch.app.survey;
 
 import java.nio.file.Files;
 import java.nio.file.Path;
@@ -38,7 +38,7 @@ import picocli.CommandLine.Spec;
       "--output writes figure5.svg and figure5.png, a page, survey-report.html, and what is drawn,"
           + " survey-report.csv and survey-report.json."
     })
-final class SurveyReportCommand implements Callable<Integer> {
+public final class SurveyReportCommand implements Callable<Integer> {
   private static final String NAME = "survey-report";
   private static final String FIGURE = "figure5";
 
@@ -49,7 +49,12 @@ final class SurveyReportCommand implements Callable<Integer> {
   @Mixin private final StandardOptions standard = new StandardOptions();
   @Spec private CommandSpec spec;
 
-  SurveyReportCommand(Host host) {
+  /**
+   * Makes the command.
+   *
+   * @param host what it runs in
+   */
+  public SurveyReportCommand(Host host) {
     this.host = host;
   }
 

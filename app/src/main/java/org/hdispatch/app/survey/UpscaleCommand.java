@@ -1,4 +1,4 @@
-package org.hdispatch.app;
+package org.hdispatch.app.survey;
 
 import java.nio.file.Path;
 import java.util.ArrayList;
@@ -36,7 +36,7 @@ import picocli.CommandLine.Spec;
           + " k = 0. A survey with failed blocks is refused; with blocks that did not converge, the"
           + " exit code is 4."
     })
-final class UpscaleCommand implements Callable<Integer> {
+public final class UpscaleCommand implements Callable<Integer> {
   private final Host host;
 
   @Parameters(
@@ -51,7 +51,12 @@ final class UpscaleCommand implements Callable<Integer> {
   @Mixin private final StandardOptions standard = new StandardOptions();
   @Spec private CommandSpec spec;
 
-  UpscaleCommand(Host host) {
+  /**
+   * Makes the command.
+   *
+   * @param host what it runs in
+   */
+  public UpscaleCommand(Host host) {
     this.host = host;
   }
 

@@ -1,4 +1,4 @@
-package org.hdispatch.app;
+package org.hdispatch.app.survey;
 
 import java.nio.file.Path;
 import java.util.LinkedHashMap;
