@@ -9,6 +9,8 @@ import org.hdispatch.app.console.Faults;
 import org.hdispatch.app.console.Host;
 import org.hdispatch.app.console.StandardOptions;
 import org.hdispatch.app.console.Version;
+import org.hdispatch.app.lattice.DuctCommand;
+import org.hdispatch.app.lattice.SettleCommand;
 import org.hdispatch.app.permeability.InspectCommand;
 import org.hdispatch.app.permeability.PermeabilityCommand;
 import org.hdispatch.app.survey.SurveyCommand;

@@ -1,9 +1,10 @@
-package org.hdispatch.app;
+package org.hdispatch.app.lattice;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.util.Map;
+import org.hdispatch.app.Cli;
 import org.hdispatch.app.console.Host;
 import org.junit.jupiter.api.Test;
 

@@ -1,4 +1,4 @@
-package org.hdispatch.app;
+package org.hdispatch.app.lattice;
 
 import java.util.Locale;
 import java.util.Optional;
@@ -38,7 +38,7 @@ import picocli.CommandLine.Spec;
           + " experiment of ten Cate et al., Physics of Fluids 14, 2002, 4012.",
       "Immersed moving boundaries: the sphere moves freely, no node is added or removed."
     })
-final class SettleCommand implements Callable<Integer> {
+public final class SettleCommand implements Callable<Integer> {
   /** Share of the peak velocity at which the sphere feels the bottom, and all is known. */
   private static final double PAST_PEAK = 0.97;
 
@@ -90,7 +90,12 @@ final class SettleCommand implements Callable<Integer> {
   private double nextAt; // s, of the next progress
   private double peak;
 
-  SettleCommand(Host host) {
+  /**
+   * Makes the command.
+   *
+   * @param host what it runs in
+   */
+  public SettleCommand(Host host) {
     this.host = host;
   }
 

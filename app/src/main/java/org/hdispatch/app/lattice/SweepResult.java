@@ -1,4 +1,4 @@
-package org.hdispatch.app;
+package org.hdispatch.app.lattice;
 
 import java.util.Comparator;
 import java.util.List;

@@ -1,4 +1,4 @@
-package org.hdispatch.app;
+package org.hdispatch.app.lattice;
 
 import java.util.List;
 import java.util.Optional;
@@ -36,7 +36,7 @@ import picocli.CommandLine.Spec;
       "Without --size: sweep over bundles and threads (Leonardi et al. 2011, figure 4), find the"
           + " best bundle for this machine, and store it as the default of --bundle."
     })
-final class DuctCommand implements Callable<Integer> {
+public final class DuctCommand implements Callable<Integer> {
   private final Host host;
 
   @Mixin private final DuctOptions options = new DuctOptions();
@@ -46,7 +46,12 @@ final class DuctCommand implements Callable<Integer> {
   @Mixin private final StandardOptions standard = new StandardOptions();
   @Spec private CommandSpec spec;
 
-  DuctCommand(Host host) {
+  /**
+   * Makes the command.
+   *
+   * @param host what it runs in
+   */
+  public DuctCommand(Host host) {
     this.host = host;
   }
 

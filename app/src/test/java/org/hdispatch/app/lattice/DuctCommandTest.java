@@ -1,4 +1,4 @@
-package org.hdispatch.app;
+package org.hdispatch.app.lattice;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
@@ -14,6 +14,7 @@ import java.util.Optional;
 import java.util.TreeSet;
 import java.util.stream.Stream;
 import javax.xml.parsers.DocumentBuilderFactory;
+import org.hdispatch.app.Cli;
 import org.hdispatch.app.console.Host;
 import org.hdispatch.lbm.KernelForm;
 import org.hdispatch.lbm.Storage;

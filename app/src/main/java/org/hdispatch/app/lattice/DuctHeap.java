@@ -1,4 +1,4 @@
-package org.hdispatch.app;
+package org.hdispatch.app.lattice;
 
 import org.hdispatch.app.console.Host;
 import org.hdispatch.gc.GcWatch;
