@@ -19,6 +19,8 @@ module org.hdispatch.app {
       info.picocli;
   opens org.hdispatch.app.lattice to
       info.picocli;
+  opens org.hdispatch.app.particles to
+      info.picocli;
   opens org.hdispatch.app.permeability to
       info.picocli;
   opens org.hdispatch.app.rock to

@@ -11,6 +11,8 @@ import org.hdispatch.app.console.StandardOptions;
 import org.hdispatch.app.console.Version;
 import org.hdispatch.app.lattice.DuctCommand;
 import org.hdispatch.app.lattice.SettleCommand;
+import org.hdispatch.app.particles.SearchStudyCommand;
+import org.hdispatch.app.particles.SphCommand;
 import org.hdispatch.app.permeability.InspectCommand;
 import org.hdispatch.app.permeability.PermeabilityCommand;
 import org.hdispatch.app.survey.SurveyCommand;

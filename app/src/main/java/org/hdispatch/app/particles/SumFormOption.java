@@ -1,4 +1,4 @@
-package org.hdispatch.app;
+package org.hdispatch.app.particles;
 
 import org.hdispatch.app.console.Choices;
 import org.hdispatch.app.console.UsageException;

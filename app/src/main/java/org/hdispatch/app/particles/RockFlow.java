@@ -1,4 +1,4 @@
-package org.hdispatch.app;
+package org.hdispatch.app.particles;
 
 import org.hdispatch.cell.Ends;
 import org.hdispatch.porous.pore.PoreSpace;

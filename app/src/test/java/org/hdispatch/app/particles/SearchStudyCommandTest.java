@@ -1,4 +1,4 @@
-package org.hdispatch.app;
+package org.hdispatch.app.particles;
 
 import static org.junit.jupiter.api.Assertions.assertArrayEquals;
 import static org.junit.jupiter.api.Assertions.assertEquals;
@@ -11,6 +11,7 @@ import java.util.List;
 import java.util.TreeSet;
 import java.util.stream.Stream;
 import javax.xml.parsers.DocumentBuilderFactory;
+import org.hdispatch.app.Cli;
 import org.hdispatch.porous.pore.PoreSpace;
 import org.hdispatch.sph.Particles;
 import org.junit.jupiter.api.Test;

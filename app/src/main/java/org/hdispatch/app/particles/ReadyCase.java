@@ -1,8 +1,8 @@
-package org.hdispatch.app;
+package org.hdispatch.app.particles;
 
 import java.util.List;
 import java.util.function.IntFunction;
-import org.hdispatch.app.ReadyFlow.Finding;
+import org.hdispatch.app.particles.ReadyFlow.Finding;
 import org.hdispatch.sph.SphScheme;
 import org.hdispatch.sph.cases.Couette;
 import org.hdispatch.sph.cases.CylinderArray;

@@ -1,4 +1,4 @@
-package org.hdispatch.app;
+package org.hdispatch.app.particles;
 
 import java.util.List;
 import java.util.Optional;
@@ -39,7 +39,7 @@ import picocli.CommandLine.Spec;
           + " several edges of cells and 1 to N threads (Leonardi et al. 2011, figure 3).",
       "Without IMAGE: the bundled sample of Berea sandstone."
     })
-final class SearchStudyCommand implements Callable<Integer> {
+public final class SearchStudyCommand implements Callable<Integer> {
   private static final int MOST_ROUNDS = 1000;
   private static final double SUPPORT = 3;
   private static final int VOXEL_BYTES = 13; // of walls, while they are made, and of the pores
@@ -101,7 +101,12 @@ final class SearchStudyCommand implements Callable<Integer> {
   @Mixin private final StandardOptions standard = new StandardOptions();
   @Spec private CommandSpec spec;
 
-  SearchStudyCommand(Host host) {
+  /**
+   * Makes the command.
+   *
+   * @param host what it runs in
+   */
+  public SearchStudyCommand(Host host) {
     this.host = host;
   }
 

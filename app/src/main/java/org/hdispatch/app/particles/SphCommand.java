@@ -1,4 +1,4 @@
-package org.hdispatch.app;
+package org.hdispatch.app.particles;
 
 import org.hdispatch.app.console.Choices;
 import org.hdispatch.app.console.Host;
@@ -13,13 +13,13 @@ import picocli.CommandLine.Mixin;
     description = "Step particles by smoothed particle hydrodynamics: cases that are ready to run.",
     synopsisSubcommandLabel = "CASE",
     commandListHeading = "Cases:%n")
-final class SphCommand {
+public final class SphCommand {
   @Mixin private final StandardOptions standard = new StandardOptions();
 
   private SphCommand() {}
 
   /** The command with all its cases. */
-  static CommandLine commandLine(Host host) {
+  public static CommandLine commandLine(Host host) {
     CommandLine sph = new CommandLine(new SphCommand());
     sph.addSubcommand(new SphPeriodicCommand(host));
     for (ReadyCase each : ReadyCase.values()) {

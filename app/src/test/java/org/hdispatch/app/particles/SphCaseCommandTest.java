@@ -1,4 +1,4 @@
-package org.hdispatch.app;
+package org.hdispatch.app.particles;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
@@ -11,6 +11,7 @@ import java.util.Map;
 import java.util.TreeSet;
 import java.util.stream.Stream;
 import javax.imageio.ImageIO;
+import org.hdispatch.app.Cli;
 import org.hdispatch.app.console.Choices;
 import org.hdispatch.app.console.Host;
 import org.hdispatch.app.draw.ColourMap;

@@ -1,4 +1,4 @@
-package org.hdispatch.app;
+package org.hdispatch.app.particles;
 
 import java.util.List;
 import org.hdispatch.sph.Particles;

@@ -1,4 +1,4 @@
-package org.hdispatch.app;
+package org.hdispatch.app.particles;
 
 import java.awt.Color;
 import java.awt.Graphics2D;
