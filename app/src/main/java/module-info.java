@@ -25,6 +25,8 @@ module org.hdispatch.app {
       info.picocli;
   opens org.hdispatch.app.rock to
       info.picocli;
+  opens org.hdispatch.app.steady to
+      info.picocli;
   opens org.hdispatch.app.survey to
       info.picocli;
   opens org.hdispatch.app.watch to

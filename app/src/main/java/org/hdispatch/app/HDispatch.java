@@ -15,6 +15,7 @@ import org.hdispatch.app.particles.SearchStudyCommand;
 import org.hdispatch.app.particles.SphCommand;
 import org.hdispatch.app.permeability.InspectCommand;
 import org.hdispatch.app.permeability.PermeabilityCommand;
+import org.hdispatch.app.steady.SteadyStudyCommand;
 import org.hdispatch.app.survey.SurveyCommand;
 import org.hdispatch.app.survey.SurveyReportCommand;
 import org.hdispatch.app.survey.UpscaleCommand;

@@ -1,4 +1,4 @@
-package org.hdispatch.app;
+package org.hdispatch.app.steady;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
@@ -16,6 +16,8 @@ import java.util.TreeMap;
 import java.util.TreeSet;
 import java.util.concurrent.CancellationException;
 import java.util.stream.Stream;
+import org.hdispatch.app.Cli;
+import org.hdispatch.app.RawFile;
 import org.hdispatch.app.console.Host;
 import org.hdispatch.app.draw.StudyPageTest;
 import org.hdispatch.app.rock.Rock;

@@ -1,4 +1,4 @@
-package org.hdispatch.app;
+package org.hdispatch.app.steady;
 
 import java.util.ArrayList;
 import java.util.List;
@@ -41,7 +41,7 @@ import picocli.CommandLine.Spec;
           + " one part for each --box.",
       "--output writes a page, steady-study.html, with curves, tables and a verdict, and the data."
     })
-final class SteadyStudyCommand implements Callable<Integer> {
+public final class SteadyStudyCommand implements Callable<Integer> {
   private static final String NAME = "steady-study";
 
   private final Host host;
@@ -53,7 +53,12 @@ final class SteadyStudyCommand implements Callable<Integer> {
   @Mixin private final StandardOptions standard = new StandardOptions();
   @Spec private CommandSpec spec;
 
-  SteadyStudyCommand(Host host) {
+  /**
+   * Makes the command.
+   *
+   * @param host what it runs in
+   */
+  public SteadyStudyCommand(Host host) {
     this.host = host;
   }
 

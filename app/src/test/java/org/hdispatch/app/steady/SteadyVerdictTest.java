@@ -1,4 +1,4 @@
-package org.hdispatch.app;
+package org.hdispatch.app.steady;
 
 import static org.junit.jupiter.api.Assertions.assertArrayEquals;
 import static org.junit.jupiter.api.Assertions.assertEquals;
