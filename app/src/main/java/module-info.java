@@ -17,6 +17,8 @@ module org.hdispatch.app {
       info.picocli;
   opens org.hdispatch.app.console to
       info.picocli;
+  opens org.hdispatch.app.gc to
+      info.picocli;
   opens org.hdispatch.app.lattice to
       info.picocli;
   opens org.hdispatch.app.particles to

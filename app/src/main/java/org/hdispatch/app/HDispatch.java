@@ -9,6 +9,8 @@ import org.hdispatch.app.console.Faults;
 import org.hdispatch.app.console.Host;
 import org.hdispatch.app.console.StandardOptions;
 import org.hdispatch.app.console.Version;
+import org.hdispatch.app.gc.GcStudyCommand;
+import org.hdispatch.app.gc.SoakCommand;
 import org.hdispatch.app.lattice.DuctCommand;
 import org.hdispatch.app.lattice.SettleCommand;
 import org.hdispatch.app.particles.SearchStudyCommand;

@@ -1,4 +1,4 @@
-package org.hdispatch.app;
+package org.hdispatch.app.gc;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
@@ -13,6 +13,7 @@ import java.util.Map;
 import java.util.function.Function;
 import java.util.stream.Collectors;
 import java.util.stream.Stream;
+import org.hdispatch.app.Cli;
 import org.hdispatch.app.study.Collector;
 import org.hdispatch.app.study.GcCase;
 import org.hdispatch.app.study.GcFigures;

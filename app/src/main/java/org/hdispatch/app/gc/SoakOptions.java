@@ -1,4 +1,4 @@
-package org.hdispatch.app;
+package org.hdispatch.app.gc;
 
 import java.nio.file.Path;
 import java.util.ArrayList;

@@ -1,4 +1,4 @@
-package org.hdispatch.app;
+package org.hdispatch.app.gc;
 
 import java.io.IOException;
 import java.nio.file.Files;
@@ -42,7 +42,7 @@ import picocli.CommandLine.Spec;
       "Runs that are in the folder already are not run again, so a study that was ended goes on"
           + " where it was; unless another build, JVM or machine made them."
     })
-final class GcStudyCommand implements Callable<Integer> {
+public final class GcStudyCommand implements Callable<Integer> {
   private static final String NAME = "gc-study";
   private static final String COMMAND = NAME + ".command";
   private static final int MOST_THREADS = 4096;
@@ -121,7 +121,12 @@ final class GcStudyCommand implements Callable<Integer> {
   @Mixin private final StandardOptions standard = new StandardOptions();
   @Spec private CommandSpec spec;
 
-  GcStudyCommand(Host host) {
+  /**
+   * Makes the command.
+   *
+   * @param host what it runs in
+   */
+  public GcStudyCommand(Host host) {
     this.host = host;
   }
 

@@ -1,4 +1,4 @@
-package org.hdispatch.app;
+package org.hdispatch.app.gc;
 
 import java.io.IOException;
 import java.nio.file.Files;
@@ -56,7 +56,7 @@ import picocli.CommandLine.Spec;
           + " the JVM's log; Flight Recorder is off, for it allocates. A collector that a JDK does"
           + " not have is left out, or fails if it was asked for by --collectors."
     })
-final class SoakCommand implements Callable<Integer> {
+public final class SoakCommand implements Callable<Integer> {
   private static final int WORD = 10;
   private static final int MEBIBYTE = 1 << 20;
 
@@ -68,7 +68,12 @@ final class SoakCommand implements Callable<Integer> {
   @Mixin private final StandardOptions standard = new StandardOptions();
   @Spec private CommandSpec spec;
 
-  SoakCommand(Host host) {
+  /**
+   * Makes the command.
+   *
+   * @param host what it runs in
+   */
+  public SoakCommand(Host host) {
     this.host = host;
   }
 
