@@ -8,6 +8,7 @@ import static com.tngtech.archunit.lang.syntax.ArchRuleDefinition.fields;
 import static com.tngtech.archunit.lang.syntax.ArchRuleDefinition.methods;
 import static com.tngtech.archunit.lang.syntax.ArchRuleDefinition.noClasses;
 import static com.tngtech.archunit.library.dependencies.SlicesRuleDefinition.slices;
+import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import com.tngtech.archunit.base.DescribedPredicate;
@@ -18,11 +19,14 @@ import com.tngtech.archunit.core.importer.ClassFileImporter;
 import com.tngtech.archunit.core.importer.ImportOption;
 import com.tngtech.archunit.library.GeneralCodingRules;
 import java.lang.invoke.VarHandle;
+import java.util.Set;
+import java.util.TreeSet;
 import java.util.concurrent.Callable;
 import java.util.concurrent.CancellationException;
 import org.hdispatch.app.console.Faults;
 import org.hdispatch.porous.block.BlockStudy;
 import org.junit.jupiter.api.Test;
+import picocli.CommandLine.Command;
 
 /** Who may use whom, and who may do what. */
 class ArchitectureTest {
@@ -142,6 +146,25 @@ class ArchitectureTest {
         .resideInAnyPackage(
             "java..", "javax.imageio..", "org.hdispatch.porous.image..", IO, DRAW, TEXT)
         .check(CODE);
+  }
+
+  /** Commands do not know each other, and what they share knows none of them. */
+  @Test
+  void onlyTheProgramKnowsItsCommands() {
+    Set<String> rooms = new TreeSet<>();
+    CODE.stream()
+        .filter(c -> c.isAnnotatedWith(Command.class) && !c.isEquivalentTo(HDispatch.class))
+        .forEach(c -> rooms.add(c.getPackageName()));
+    assertEquals(6, rooms.size(), rooms::toString);
+    for (String room : rooms) {
+      classes()
+          .that()
+          .resideInAPackage(room)
+          .should()
+          .onlyHaveDependentClassesThat()
+          .resideInAnyPackage(room, "org.hdispatch.app")
+          .check(CODE);
+    }
   }
 
   @Test
