@@ -59,8 +59,8 @@ final class SetupCheck {
   }
 
   /** The step's limits that hold without pairwise forces. */
-  void timeStep(double timeStep, double force) {
-    TimeStep limits = TimeStep.of(kernel, phases, force);
+  void timeStep(double timeStep, double force, double courantNumber) {
+    TimeStep limits = TimeStep.of(kernel, phases, force, courantNumber);
     if (timeStep > limits.allowed() * ROUND_OFF) {
       throw new IllegalArgumentException(
           "time step must be within its limits (Morris et al. 1997): dt="

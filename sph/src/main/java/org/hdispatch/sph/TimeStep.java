@@ -6,7 +6,8 @@ import java.util.Locale;
 /**
  * The limits of the time step (Morris, Fox, Zhu 1997), of which the least rules.
  *
- * @param sound 0.25 h/c: sound crosses a quarter of the smoothing length; c is the fastest phase's
+ * @param sound C h/c: the Courant number C, 0.25 as a rule, is the share of the smoothing length
+ *     that sound crosses; c is the fastest phase's
  * @param viscosity 0.125 h^2/nu; nu is the largest
  * @param force 0.25 sqrt(h/g); infinite without a force
  * @param pair 0.25 sqrt(h m/F), F being the pairwise force on a particle at a surface; infinite
@@ -16,9 +17,20 @@ import java.util.Locale;
  */
 public record TimeStep(
     double sound, double viscosity, double force, double pair, double capillary) {
+  /** The usual Courant number. */
+  static final double COURANT = 0.25;
+
+  /** Share of h^2/nu that viscosity allows. */
+  public static final double VISCOUS = 0.125;
 
   /** Limits for these phases under a body force per mass of size g. */
   public static TimeStep of(SmoothingKernel kernel, List<Phase> phases, double g) {
+    return of(kernel, phases, g, COURANT);
+  }
+
+  /** Limits with another Courant number: see {@link SphSchemeBuilder#courantNumber}. */
+  public static TimeStep of(
+      SmoothingKernel kernel, List<Phase> phases, double g, double courantNumber) {
     double h = kernel.smoothingLength();
     double c = 0;
     double nu = 0;
@@ -27,8 +39,8 @@ public record TimeStep(
       nu = Math.max(nu, phase.kinematicViscosity());
     }
     return new TimeStep(
-        0.25 * h / c,
-        0.125 * h * h / nu,
+        courantNumber * h / c,
+        VISCOUS * h * h / nu,
         0.25 * Math.sqrt(h / g),
         Double.POSITIVE_INFINITY,
         Double.POSITIVE_INFINITY);

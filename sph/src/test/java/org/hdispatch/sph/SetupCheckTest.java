@@ -5,6 +5,8 @@ import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import java.util.List;
+import org.hdispatch.cell.Ends;
 import org.hdispatch.dispatch.Dispatcher;
 import org.hdispatch.dispatch.KernelException;
 import org.hdispatch.dispatch.TimeLoop;
@@ -55,6 +57,27 @@ class SetupCheckTest {
     double allowed = 0.125 * DX * DX / Poiseuille.VISCOSITY;
     refused(FLOW.settings().timeStep(1.01 * allowed), FLOW.particles(), "dt=", "by viscosity");
     FLOW.settings().timeStep(allowed).build(FLOW.particles());
+  }
+
+  @Test
+  void soundMayCrossMoreOfTheSmoothingLengthIfAskedTo() {
+    Phase fast = Phase.fluid("fast", 1, 1e-3, EquationOfState.linear(1, 1, 0));
+    QuinticSpline kernel = new QuinticSpline(1, 2);
+    SphSchemeBuilder settings =
+        SphScheme.builder(ParticleBox.plane(6, 6, Ends.PERIODIC, Ends.PERIODIC), kernel)
+            .phase(fast)
+            .search(SearchMode.SINGLE);
+    assertEquals(0.25, TimeStep.of(kernel, List.of(fast), 0).sound());
+    assertEquals(1.5, TimeStep.of(kernel, List.of(fast), 0, 1.5).sound());
+    Particles one = new Particles().add(0, 3, 3, 0);
+    refused(settings.timeStep(1.5), one, "dt=1.5", "allowed=0.25 by sound");
+    settings.courantNumber(1.5).build(one);
+    refused(settings.timeStep(1.51), one, "dt=1.51", "allowed=1.5 by sound");
+    for (double bad : new double[] {0, 2.01, Double.NaN}) {
+      IllegalArgumentException thrown =
+          assertThrows(IllegalArgumentException.class, () -> settings.courantNumber(bad));
+      assertTrue(thrown.getMessage().endsWith("C=" + bad), thrown.getMessage());
+    }
   }
 
   @Test
