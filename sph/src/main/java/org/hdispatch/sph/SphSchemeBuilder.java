@@ -161,9 +161,9 @@ public final class SphSchemeBuilder {
 
   /**
    * Sets how many smoothing lengths sound may cross in a time step. Default: 0.25 (Morris, Fox, Zhu
-   * 1997). Particles that hardly leave a cubic lattice bear more: no wave of the quintic spline's
-   * sums on it is faster than 0.88 c/h, and the leapfrog takes 2/dt, or 1.8/dt where viscosity
-   * limits the step too.
+   * 1997). Particles that hardly leave a cubic lattice bear more: the quintic spline's sums know no
+   * sound there of an angular frequency above 0.88 c/h, and the leapfrog bears 2/dt, or 1.8/dt
+   * where viscosity limits the step too.
    *
    * @throws IllegalArgumentException if it is not positive, or above 2
    */

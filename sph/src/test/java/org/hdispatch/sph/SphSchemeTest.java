@@ -66,6 +66,34 @@ class SphSchemeTest {
     return state(scheme, count);
   }
 
+  /** At the most that the Courant number may be, and at the limit of viscosity. */
+  @Test
+  void soundThatCrossesTwoSmoothingLengthsInAStepDiesDown() {
+    int n = 8;
+    Random random = new Random(2);
+    Particles particles = new Particles();
+    for (int i = 0; i < n * n * n; i++) {
+      double[] v = random.doubles(3, -1e-6, 1e-6).toArray(); // particles stay where they are
+      particles.add(0, i % n + 0.5, i / n % n + 0.5, i / (n * n) + 0.5, v[0], v[1], v[2]);
+    }
+    QuinticSpline kernel = new QuinticSpline(1, 3);
+    double mass = 1 / LatticeSum.of(kernel, 1).numberDensity();
+    SphScheme scheme =
+        SphScheme.builder(
+                ParticleBox.space(n, n, n, Ends.PERIODIC, Ends.PERIODIC, Ends.PERIODIC), kernel)
+            .phase(Phase.fluid("water", mass, 1, EquationOfState.linear(1, 16, 0)))
+            .courantNumber(2)
+            .timeStep(0.125)
+            .build(particles);
+    try (Dispatcher dispatcher = Dispatcher.withWorkers(2)) {
+      TimeLoop loop = dispatcher.loop(scheme);
+      loop.run(1);
+      double first = scheme.fastest();
+      loop.run(200);
+      assertTrue(scheme.fastest() < 0.5 * first, first + " " + scheme.fastest());
+    }
+  }
+
   /** One step against the sums over all pairs and images, as the formulas stand. */
   @ParameterizedTest
   @EnumSource(SearchMode.class)
