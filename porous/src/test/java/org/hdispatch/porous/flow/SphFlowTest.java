@@ -73,6 +73,17 @@ class SphFlowTest {
   }
 
   @Test
+  void stopIsWithinTheToleranceOfFiveTimesTheSteps() {
+    SteadyFlow flow = solve(BENT, COARSE, 2);
+    long steps = flow.work().steps();
+    SteadyFlow later = solve(BENT, COARSE.withTolerance(1e-9).withMaxSteps(5 * steps), 2);
+    assertEquals(5 * steps, later.work().steps());
+    assertTrue(flow.converged());
+    assertEquals(1, flow.permeability() / later.permeability(), 0.01); // the tolerance
+    assertTrue(steps <= 300, "steps " + steps);
+  }
+
+  @Test
   void sameBitsForAnyWorkerCount() {
     SteadyFlow one = solve(BENT, COARSE.withMaxSteps(60), 1);
     SteadyFlow three = solve(BENT, COARSE.withMaxSteps(60), 3);
