@@ -18,10 +18,9 @@ import org.hdispatch.app.study.SoakResult.Verdict;
  * anything was left to the collector.
  *
  * <p>A first JVM, under Serial, measures what is in use after the set-up: with what the start of
- * the JVM and the set-up have left behind (most of it from checking the signature of a library),
- * and, after a full collection, without that: the live set. Epsilon never reclaims what was left
- * behind, so it gets the former and 16 MB for the steps, warm-up included; the others get 128 MB
- * more, so that they have no reason to collect either.
+ * the JVM and the set-up have left behind, and, after a full collection, without that: the live
+ * set. Epsilon never reclaims what was left behind, so it gets the former and 16 MB for the steps,
+ * warm-up included; the others get 128 MB more, so that they have no reason to collect either.
  *
  * <p>There is no Flight Recorder in these JVMs, for it allocates. Bytes come from the counters of
  * the threads, collections from the management beans, safepoints and stalls from the JVM's log.
