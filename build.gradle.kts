@@ -143,6 +143,8 @@ project(":jmh") {
         "implementation"(project(":hdispatch-core"))
         "implementation"(project(":lbm"))
         "implementation"(project(":sph"))
+        "implementation"(project(":porous"))
+        "implementation"(project(":app"))
         "runtimeOnly"(project(":lbm-vector"))
         "runtimeOnly"(project(":sph-vector"))
         "implementation"(lib("jmh-core"))

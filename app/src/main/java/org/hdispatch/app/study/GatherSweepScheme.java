@@ -17,7 +17,7 @@ import org.hdispatch.dispatch.Tick;
  * <p>A cell has half as many values as the scratch, twice over (previous and current), so the live
  * set is as many bytes as cells times scratch.
  */
-final class GatherSweepScheme implements Scheme<GatherSweepScheme.Cell, double[]> {
+public final class GatherSweepScheme implements Scheme<GatherSweepScheme.Cell, double[]> {
   /** The corners of a cube: the neighbours of which an eighth of the values is gathered. */
   private static final int NEIGHBOURS = 8;
 
@@ -33,7 +33,7 @@ final class GatherSweepScheme implements Scheme<GatherSweepScheme.Cell, double[]
    * @param sweeps whether there is arithmetic: a recurrence over the scratch, a few nanoseconds a
    *     value, as each waits for the one before
    */
-  GatherSweepScheme(int edge, int scratchBytes, boolean sweeps) {
+  public GatherSweepScheme(int edge, int scratchBytes, boolean sweeps) {
     scratchLength = scratchBytes / Double.BYTES;
     this.sweeps = sweeps;
     CellGrid grid = CellGrid.of(edge, edge, edge, Ends.PERIODIC);
@@ -44,7 +44,7 @@ final class GatherSweepScheme implements Scheme<GatherSweepScheme.Cell, double[]
   }
 
   /** Values of a cell, and the neighbours it gathers from. */
-  static final class Cell {
+  public static final class Cell {
     private final double[][] values;
     private final Cell[] neighbours = new Cell[NEIGHBOURS];
 

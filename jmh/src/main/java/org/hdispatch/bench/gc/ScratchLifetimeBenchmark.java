@@ -1,6 +1,7 @@
 package org.hdispatch.bench.gc;
 
 import java.util.concurrent.TimeUnit;
+import org.hdispatch.app.study.GatherSweepScheme;
 import org.hdispatch.dispatch.Dispatcher;
 import org.hdispatch.dispatch.ScratchLifetime;
 import org.hdispatch.dispatch.TimeLoop;
@@ -77,7 +78,7 @@ public class ScratchLifetimeBenchmark {
     @Setup(Level.Trial)
     public void begin() {
       dispatcher = Dispatcher.withWorkers(workers);
-      loop = dispatcher.loop(new GatherSweepScheme(EDGE, scratchBytes), lifetime);
+      loop = dispatcher.loop(new GatherSweepScheme(EDGE, scratchBytes, false), lifetime);
     }
 
     /** Ends the workers. */

@@ -6,6 +6,7 @@ import org.hdispatch.cell.Ends;
 import org.hdispatch.lbm.Lattice;
 import org.hdispatch.lbm.NodeMap;
 import org.hdispatch.lbm.VelocitySet;
+import org.hdispatch.porous.pore.RandomSpheres;
 import org.openjdk.jmh.annotations.Benchmark;
 import org.openjdk.jmh.annotations.BenchmarkMode;
 import org.openjdk.jmh.annotations.Fork;
@@ -79,7 +80,7 @@ public class RockBenchmark {
     /** Makes the rock and starts the workers. */
     @Setup(Level.Trial)
     public void begin() {
-      NodeMap spheres = new RandomSpheres(side, radius, porosity, SEED);
+      NodeMap spheres = new RandomSpheres(radius, SEED).poreSpace(side, porosity)::isPore;
       Ends ends = Ends.PERIODIC;
       start(new Lattice(side, side, side, ends, ends, ends, spheres), velocitySet, bundle);
       Reference.reachabilityFence(spheres); // the rock is no part of what the scheme holds
