@@ -8,8 +8,8 @@ import java.util.List;
 import java.util.stream.Collectors;
 
 /**
- * What the management beans of the collector tell: its name, and, where there is no Flight
- * Recorder, how often it collected.
+ * What the management beans of the collector tell: its name, and, where Flight Recorder does not
+ * watch, how often it collected.
  *
  * <p>ZGC and Shenandoah have beans whose name ends in "Cycles", whose time is concurrent and no
  * pause, and others that end in "Pauses", whose count is no collection. The beans of the other

@@ -42,9 +42,9 @@ public record GcReport(
     /** JDK Flight Recorder: all figures are measured, to the nanosecond. */
     FLIGHT_RECORDER,
     /**
-     * Management beans, where Flight Recorder is not to be had: collections are right, each pause
-     * is truncated to milliseconds, lengths of single pauses are not known (the total stands in
-     * place of the longest), and {@link Stops#NOT_MEASURED} stands for the rest.
+     * Management beans, where Flight Recorder is not to be had or not wanted: collections are
+     * right, each pause is truncated to milliseconds, lengths of single pauses are not known (the
+     * total stands in place of the longest), and {@link Stops#NOT_MEASURED} stands for the rest.
      */
     BEANS
   }

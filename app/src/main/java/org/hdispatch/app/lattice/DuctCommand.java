@@ -102,7 +102,7 @@ public final class DuctCommand implements Callable<Integer> {
         UsageException.orRefused(() -> options.settings().duct(options.size(), bundle.shape()));
     DuctRun run = options.run(duct);
     BandwidthProbe probe = new BandwidthProbe(DuctHeap.require(host, duct));
-    try (CollectorWatch collector = new CollectorWatch()) {
+    try (CollectorWatch collector = CollectorWatch.recording()) {
       DuctFigures figures = measure(run, duct, probe, collector);
       var report =
           new CollectorReport(collector.figures(console()), figures.stats(), run.warmUpSteps());

@@ -110,7 +110,7 @@ public final class SettleCommand implements Callable<Integer> {
     host.requireHeap(
         String.format(Locale.ROOT, "a box of %.0f nodes", nodes), nodes * BYTES_PER_NODE);
     gcReport.check();
-    try (CollectorWatch collector = new CollectorWatch();
+    try (CollectorWatch collector = CollectorWatch.recording();
         Dispatcher dispatcher = Dispatcher.withWorkers(threads)) {
       SettlingSphere settling = SettlingSphere.across(fluid, nodesAcross);
       TimeLoop loop = dispatcher.loop(settling.scheme());

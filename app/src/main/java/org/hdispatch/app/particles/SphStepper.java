@@ -25,7 +25,7 @@ record SphStepper(CommandConsole console, SphSchemeOptions options, int threads)
    * @param spacing distance of particles, in the unit of length
    */
   SphReport run(String name, SphScheme scheme, double spacing, SphRun run) {
-    try (CollectorWatch collector = new CollectorWatch()) {
+    try (CollectorWatch collector = CollectorWatch.recording()) {
       SphFigures figures = measure(name, scheme, run, collector);
       var left =
           new CollectorReport(collector.figures(console), figures.stats(), figures.warmUpSteps());

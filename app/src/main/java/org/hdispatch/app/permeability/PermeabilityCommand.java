@@ -159,7 +159,7 @@ public final class PermeabilityCommand implements Callable<Integer> {
   }
 
   private Outcome compute(Rock rock, FlowChoice choice, PhysicalFlow fluid) {
-    try (CollectorWatch collector = new CollectorWatch();
+    try (CollectorWatch collector = gcReport.watch();
         ProgressLine progress = new ProgressLine(console().err(), rock.voxelEdge());
         Dispatcher dispatcher = Dispatcher.withWorkers(threadOptions.threads())) {
       List<FlowListener> listeners = new ArrayList<>(List.of(collector));

@@ -36,10 +36,8 @@ public record CollectorReport(
                 + after.collections()
                 + " collections, pause "
                 + millis(after.pauseMillis())
-                + ", stopped "
-                + millis(after.stoppedMillis())
-                + ", stall "
-                + millis(after.stallMillis()))
+                + measured(", stopped ", after.stoppedMillis())
+                + measured(", stall ", after.stallMillis()))
         .line(
             "allocated",
             (bytes < 0 ? "unknown" : Long.toString(bytes)) + " bytes per step (worst worker)")
@@ -50,6 +48,10 @@ public record CollectorReport(
                 + warmUp.collections()
                 + " collections, pause "
                 + millis(warmUp.pauseMillis()));
+  }
+
+  private static String measured(String name, OptionalDouble millis) {
+    return millis.isEmpty() ? "" : name + millis(millis);
   }
 
   private static String millis(OptionalDouble millis) {

@@ -16,13 +16,27 @@ import org.hdispatch.porous.flow.FlowListener;
  * count.
  */
 public final class CollectorWatch implements FlowListener, AutoCloseable {
-  /*
-   * The recorder starts at once and not with the first step: in JDK 17 its first start changes
-   * classes of the JDK, and with that the JVM drops all code it has compiled so far.
-   */
-  private final GcWatch watch = GcWatch.start();
+  private final GcWatch watch;
   private boolean begun;
   private boolean warm;
+
+  private CollectorWatch(GcWatch watch) {
+    this.watch = watch;
+  }
+
+  /**
+   * Starts to watch by Flight Recorder, which takes up to half a second. To be called before the
+   * set-up: in JDK 17 the first start of the recorder changes classes of the JDK, and with that the
+   * JVM drops all code it has compiled so far.
+   */
+  public static CollectorWatch recording() {
+    return new CollectorWatch(GcWatch.start());
+  }
+
+  /** Starts to count collections alone, at once: stops and stalls are not measured. */
+  public static CollectorWatch counting() {
+    return new CollectorWatch(GcWatch.startCounting());
+  }
 
   /** A part of a run. */
   enum Part {

@@ -21,6 +21,11 @@ public final class GcReportOption {
               + " JVM. Default: none.")
   private Path file;
 
+  /** Starts to watch: in detail where the file is wanted, else by counts alone. */
+  public CollectorWatch watch() {
+    return file == null ? CollectorWatch.counting() : CollectorWatch.recording();
+  }
+
   /**
    * Tries the file, before anything is computed.
    *

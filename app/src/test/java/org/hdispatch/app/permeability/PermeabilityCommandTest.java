@@ -244,8 +244,6 @@ class PermeabilityCommandTest {
             "slab of 6 layers",
             "threads",
             "collections",
-            "stopped",
-            "stall",
             "bytes per step",
             "warm-up",
             "doi:10.6084/m9.figshare.1153794",

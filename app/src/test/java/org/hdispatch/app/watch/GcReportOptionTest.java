@@ -42,6 +42,7 @@ class GcReportOptionTest {
     Cli run = run(words, file);
     assertEquals(0, run.code(), run.err());
     assertTrue(run.out().contains("collector            " + GcWatch.collector()), run.out());
+    assertTrue(run.out().contains(" ms, stopped "), run.out());
     assertTrue(run.out().contains(" bytes per step (worst worker)"), run.out());
     Map<String, Object> report = JSON.std.mapFrom(Files.readString(file));
     assertEquals(2, ((List<?>) report.get("workers")).size());
