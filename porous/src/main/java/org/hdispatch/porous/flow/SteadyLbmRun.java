@@ -15,7 +15,7 @@ import org.hdispatch.porous.pore.Percolation;
 /** One computation of a steady flow by the lattice Boltzmann method. */
 final class SteadyLbmRun implements Stepping.Flow {
   /** Least number of steps before what is counted "per step" is counted. */
-  private static final int WARM_UP_STEPS = 100;
+  private static final int WARM_UP_STEPS = 90;
 
   /** Mean pore velocity aimed at, voxels per step; k does not depend on it. */
   private static final double PORE_VELOCITY = 1e-3;
