@@ -17,8 +17,9 @@ import org.hdispatch.porous.image.Axis;
  * distances to the walls ahead and behind.
  *
  * <p>In a slit of any direction, an elliptic tube and an ellipsoid that is the solution itself.
- * There K = (1 - Q)/(2 trace A) with the walls at Q = x.Ax = 1, and a b = (1 - Q)/A_ii along axis i;
- * the trace does not change when the axes turn. In the middle of a square duct it is 15 % too small.
+ * There K = (1 - Q)/(2 trace A) with the walls at Q = x.Ax = 1, and a b = (1 - Q)/A_ii along axis
+ * i; the trace does not change when the axes turn. In the middle of a square duct it is 15 % too
+ * small.
  *
  * <p>Each line of nodes is walked by one worker, so every bit is the same for any number of them.
  */
