@@ -256,12 +256,12 @@ class PermeabilityCommandTest {
 
   @Test
   void resultThatHasNotConvergedIsPrintedAndFlagged() {
-    Cli run = Cli.run("permeability", "--json", SMALL, "--max-steps=100", "--threads=1");
+    Cli run = Cli.run("permeability", "--json", SMALL, "--max-steps=50", "--threads=1");
     assertEquals(4, run.code());
     assertEquals(1, run.err().lines().count(), run.err());
     assertTrue(run.err().contains("give more --max-steps"), run.err());
     assertEquals("false", run.members().get("converged"));
-    assertEquals("100", run.members().get("steps"));
+    assertEquals("50", run.members().get("steps"));
     assertEquals("1", run.members().get("threads"));
     assertTrue(number(run.members(), "permeability_voxel2") > 0);
   }
