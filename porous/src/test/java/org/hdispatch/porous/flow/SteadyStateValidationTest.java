@@ -73,35 +73,6 @@ class SteadyStateValidationTest {
     assertTrue(sorted.get(sorted.size() / 2) <= 300, "steps: " + steps);
   }
 
-  /** Particles creep: the truth is what eight times the steps give. */
-  @Test
-  void trueErrorOfParticlesIsBelowTheTolerance() {
-    Map<String, PoreSpace> rocks = new LinkedHashMap<>();
-    rocks.put("0.25 of 4", rubble(24, 4, 0.25, 2011));
-    rocks.put("0.4 of 4", rubble(24, 4, 0.4, 2011));
-    rocks.put("0.4 of 8", rubble(24, 8, 0.4, 2011));
-    rocks.put("spheres", SpherePacking.SC.poreSpace(24, 0.343));
-    rocks.put("slit", PoreSpace.of(10, 5, 10, (x, y, z) -> y < 4));
-    FlowOptions options = FlowOptions.DEFAULT.withTolerance(1e-2).withMaxSteps(1000);
-    try (Dispatcher dispatcher = Dispatcher.builder().build()) {
-      rocks.forEach(
-          (name, rock) -> {
-            SteadyFlow flow = particles(dispatcher, rock, options);
-            long steps = flow.work().steps();
-            SteadyFlow later =
-                particles(dispatcher, rock, options.withTolerance(1e-9).withMaxSteps(8 * steps));
-            double error = Math.abs(flow.permeability() / later.permeability() - 1);
-            String text = name + ": " + error + " after " + steps;
-            assertTrue(flow.converged() && steps <= 600, text);
-            assertTrue(error <= options.tolerance(), text);
-          });
-    }
-  }
-
-  private static SteadyFlow particles(Dispatcher dispatcher, PoreSpace rock, FlowOptions options) {
-    return SphFlow.solve(dispatcher, rock, options, SphOptions.DEFAULT, FlowListener.NONE);
-  }
-
   private static SteadyFlow solve(Dispatcher dispatcher, PoreSpace rock, FlowOptions options) {
     return LbmFlow.solve(dispatcher, rock, options, FlowListener.NONE);
   }
