@@ -22,7 +22,7 @@ class DuctValidationTest {
     // corners.
     assertEquals(2, Math.log(e8 / e16) / Math.log(2), 0.1, e8 + " " + e16 + " " + e32);
     assertEquals(2, Math.log(e16 / e32) / Math.log(2), 0.1, e8 + " " + e16 + " " + e32);
-    if (set == VelocitySet.D3Q15) { // the figures of the README
+    if (set == VelocitySet.D3Q15) { // the figures of docs/validation.md
       assertEquals(0.0223, e8, 5e-5);
       assertEquals(0.0058, e16, 5e-5);
       assertEquals(0.0015, e32, 5e-5);

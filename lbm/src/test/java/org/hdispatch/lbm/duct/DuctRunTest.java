@@ -74,7 +74,7 @@ class DuctRunTest {
     assertTrue(figures.steady());
     assertEquals(duct(16).stepsUntil(DuctRun.STEADY), figures.lastStep());
     assertEquals(4, figures.stats().steps());
-    // 0.58 % at W = 16: the figure of the README, for half-way bounce-back
+    // 0.58 % at W = 16: the figure of docs/validation.md, for half-way bounce-back
     assertEquals(1.0058, figures.kOverW2() / Duct.K_OVER_W2, 2e-4);
   }
 
