@@ -201,7 +201,7 @@ class BuildParityTest {
   }
 
   /** The folder with settings.gradle, from the one the tests run in upwards. */
-  private static Path root() {
+  static Path root() {
     Path folder = Path.of(System.getProperty("user.dir")).toAbsolutePath();
     while (!Files.exists(folder.resolve("settings.gradle"))) {
       folder = folder.getParent();
