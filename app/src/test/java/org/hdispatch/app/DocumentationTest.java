@@ -140,7 +140,8 @@ class DocumentationTest {
     Map<Path, String> pages = new TreeMap<>();
     try (Stream<Path> files = Files.walk(root)) {
       for (Path file : (Iterable<Path>) files::iterator) {
-        if (file.toString().endsWith(".md") && !root.relativize(file).toString().contains("target")) {
+        if (file.toString().endsWith(".md")
+            && !root.relativize(file).toString().contains("target")) {
           pages.put(file, Files.readString(file));
         }
       }
