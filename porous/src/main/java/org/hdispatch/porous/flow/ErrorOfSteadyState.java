@@ -16,7 +16,8 @@ import java.util.Arrays;
  *       #whereCreeping}.
  *   <li>What the fluxes through the sections of the rock tell, and the decay cannot: that pressure
  *       is still on its way. Where pressure is corrected, that is how far they lie apart ({@link
- *       SectionFlux#unsettled}), else at most ({@link SectionFlux#imbalance}).
+ *       SectionFlux#unsettled}), else one and a half times how far at most ({@link
+ *       SectionFlux#imbalance}).
  *   <li>What momentum alone must leave after so many steps, exp(-t/t_m) with t_m the time of {@link
  *       RelaxationChoice}, for pores two thirds as wide as the hydraulic diameter. It keeps a slow
  *       start at a low viscosity from being taken for a steady state.

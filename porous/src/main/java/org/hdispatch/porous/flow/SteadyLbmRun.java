@@ -23,6 +23,12 @@ final class SteadyLbmRun implements Stepping.Flow {
   /** Steps over which the gain of mass is measured: even, so that what alternates is gone. */
   private static final int GAIN_STEPS = 2;
 
+  /**
+   * Change of k still to come, relative to k, over the imbalance of the fluxes where stepping alone
+   * spreads the pressure: up to 1.24 in 27 blocks of Berea sandstone of 128³ voxels.
+   */
+  private static final double CHANGE_PER_IMBALANCE = 1.5;
+
   /** Steps between measurements without corrections. */
   private static final int PLAIN_INTERVAL = 50;
 
@@ -185,7 +191,7 @@ final class SteadyLbmRun implements Stepping.Flow {
     }
     error.add(
         permeability,
-        corrects() ? flux.unsettled(force) : flux.imbalance(),
+        corrects() ? flux.unsettled(force) : CHANGE_PER_IMBALANCE * flux.imbalance(),
         RelaxationChoice.momentumLeft(
             domain.hydraulicDiameter(), scheme.relaxation().viscosity(), stepping.steps()));
     stepping.tell(this, permeability, pressureNanos * 1e-9, scheme.nodes());
