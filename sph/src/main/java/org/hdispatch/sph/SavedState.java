@@ -28,6 +28,7 @@ final class SavedState {
     sum = mix(mix(sum, ends), grid.cells().nx());
     sum = mix(mix(sum, grid.cells().ny()), grid.cells().nz());
     sum = mix(mix(sum, bits(kernel.smoothingLength())), bits(kernel.supportRadius()));
+    sum = mix(sum, kernel.toString().hashCode());
     print = mix(mix(mix(sum, settings.phases.size()), bits(settings.timeStep)), particles);
     this.cells = cells;
     this.particles = particles;

@@ -45,6 +45,7 @@ public final class SphScheme implements Scheme<ParticleCell, SphScratch> {
   private int written; // buffer that holds the state
   private boolean listed; // whether lists are good for the next step
   private boolean fresh = true; // no step has been made
+  private boolean linked; // whether cells know those around them as they were in the last step
   private double travelled; // at most, by a particle since lists were made
   private double fastest;
   private long rebuilds;
@@ -120,6 +121,7 @@ public final class SphScheme implements Scheme<ParticleCell, SphScratch> {
     written = 0;
     savedState.read(written, in);
     listed = false;
+    linked = false;
   }
 
   /** A builder with defaults for a box and a kernel. */
@@ -188,6 +190,7 @@ public final class SphScheme implements Scheme<ParticleCell, SphScratch> {
     listed = true;
     fresh = false;
   }
+    linked = true;
 
   /** Speed of the fastest particle in the last step. */
   public double fastest() {
@@ -243,12 +246,15 @@ public final class SphScheme implements Scheme<ParticleCell, SphScratch> {
 
   /**
    * Mean number of neighbours that a fluid particle had in the last step: particles closer than the
-   * support radius, but for itself. NaN before the first step. Counted anew, on the caller's
-   * thread.
+   * support radius, but for itself. NaN before the first step, and before the first that follows
+   * {@link #restore}. Counted anew, on the caller's thread.
    */
   public double neighboursMean() {
     return new NeighbourCount(surroundings, kernel.supportRadius()).mean(cells, plan.at);
   }
+    if (!linked) {
+      return Double.NaN;
+    }
 
   /**
    * Bytes held for the particles: what all cells hold, with the room that their arrays have to grow

@@ -28,13 +28,17 @@ class SavedStateTest {
 
   /** A drop on its way through a periodic channel: cells come and go, particles cross its ends. */
   private static SphSchemeBuilder drop(SearchMode mode) {
+    return drop(mode, KERNEL);
+  }
+
+  private static SphSchemeBuilder drop(SearchMode mode, SmoothingKernel kernel) {
     EquationOfState state = EquationOfState.linear(1, 5, 2);
     Phase fluid = Phase.fluid("drop", 1, 0.3, state);
-    return SphScheme.builder(ParticleBox.plane(LENGTH, LENGTH, Ends.PERIODIC, Ends.OPEN), KERNEL)
+    return SphScheme.builder(ParticleBox.plane(LENGTH, LENGTH, Ends.PERIODIC, Ends.OPEN), kernel)
         .phase(fluid)
         .phase(Phase.wallOf(fluid))
         .walls((x, y, z) -> y - 4)
-        .pairForces(MeanField.onLattice(KERNEL, 1, PairProfile.cosine()).drop(1, 90))
+        .pairForces(MeanField.onLattice(kernel, 1, PairProfile.cosine()).drop(1, 90))
         .search(mode)
         .timeStep(0.02);
   }
@@ -92,6 +96,7 @@ class SavedStateTest {
         dispatcher.loop(rest).run(57); // cells are others than those of the state
         restore(rest, saved);
         assertArrayEquals(shown(whole), shown(rest));
+        assertTrue(Double.isNaN(rest.neighboursMean())); // no step yet from here
         loop.run(150);
         dispatcher.loop(rest).run(150);
         assertArrayEquals(shown(whole), shown(rest));
@@ -127,6 +132,9 @@ class SavedStateTest {
           assertThrows(IllegalArgumentException.class, () -> restore(other, saved)).getMessage();
       assertTrue(message.startsWith("state must be of the same box, cells, kernel"), message);
     }
+    byte[] cubic = saved(drop(SearchMode.SINGLE, new CubicSpline(1.5, 2)).build(particles(1)));
+    SphScheme wendland = drop(SearchMode.SINGLE, new WendlandC2(1.5, 2)).build(particles(1));
+    assertThrows(IllegalArgumentException.class, () -> restore(wendland, cubic));
     SphScheme same = drop(SearchMode.SINGLE).build(particles(2)); // other velocities
     restore(same, saved);
     assertArrayEquals(shown(drop(SearchMode.SINGLE).build(particles(1))), shown(same));
