@@ -65,7 +65,7 @@ public record MeanField(SmoothingKernel kernel, double numberDensity, PairProfil
     return angles * n * n * Math.pow(kernel.supportRadius(), d + 1) * profile.moment(d) * saa;
   }
 
-  /** Size of the force on a particle at the surface of a half-space of others. */
+  /** Size of the force on a particle at the plane surface of a half-space of others. */
   static double surfaceForce(
       SmoothingKernel kernel, Phase others, PairProfile profile, double strength) {
     int d = kernel.dimensions();

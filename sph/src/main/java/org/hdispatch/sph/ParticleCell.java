@@ -128,6 +128,7 @@ public final class ParticleCell {
     arrays += HEADER + (long) Double.BYTES * volume.length;
     arrays += HEADER + (long) Double.BYTES * pressure.length;
     arrays += HEADER + (long) Double.BYTES * depth.length;
+    arrays += HEADER + (long) Double.BYTES * virial.length;
     arrays += HEADER + (long) Integer.BYTES * leavers.length;
     arrays += HEADER + ways.length;
     return arrays + OWN_BYTES;

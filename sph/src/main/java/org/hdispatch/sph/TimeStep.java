@@ -60,7 +60,8 @@ public record TimeStep(
       }
       rho = Math.min(rho, phase.state().restDensity());
       for (int b = 0; b < phases.size(); b++) {
-        double force = MeanField.surfaceForce(kernel, phase, pairs.profile(), pairs.strength(a, b));
+        double strength = pairs.strength(a, b);
+        double force = MeanField.surfaceForce(kernel, phases.get(b), pairs.profile(), strength);
         acceleration = Math.max(acceleration, force / phase.mass());
       }
     }

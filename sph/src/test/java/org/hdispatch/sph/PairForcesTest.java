@@ -134,11 +134,15 @@ class PairForcesTest {
 
   private static SphSchemeBuilder twoPhases(int n, double viscosity) {
     double[][] strengths = {{0.3, 0.1}, {0.1, 0.2}};
+    return twoPhasesWithoutForces(n, viscosity)
+        .pairForces(new PairForces(PairProfile.cosine(), strengths));
+  }
+
+  private static SphSchemeBuilder twoPhasesWithoutForces(int n, double viscosity) {
     return SphScheme.builder(
             ParticleBox.space(n, n, n, Ends.PERIODIC, Ends.PERIODIC, Ends.PERIODIC), SPACE)
         .phase(Phase.fluid("oil", 1, 0.2, STATE))
         .phase(Phase.fluid("water", 2, viscosity, EquationOfState.beside(STATE, 2)))
-        .pairForces(new PairForces(PairProfile.cosine(), strengths))
         .timeStep(0.01);
   }
 
@@ -252,5 +256,23 @@ class PairForcesTest {
     double force = 2 * s * 9 * (1 / (1.5 * Math.PI) + 1 / Math.pow(1.5 * Math.PI, 2));
     assertEquals(0.25 / Math.sqrt(force), limits.pair(), 1e-7);
     assertEquals("capillary waves", limits.rules());
+    // two fluids, the second of twice as many particles: what pulls is the other one
+    Phase fine = Phase.fluid("fine", 0.5, 0.1, STATE);
+    PairForces across = new PairForces(PairProfile.cosine(), new double[][] {{0, s}, {s, 0}});
+    TimeStep two = TimeStep.of(PLANE, List.of(phase, fine), 0, across);
+    assertEquals(0.25 / Math.sqrt(2 * force), two.pair(), 1e-7);
+  }
+
+  /** Eight bytes a fluid particle, once the virial is there. */
+  @Test
+  void virialIsHeldToo() {
+    Particles particles = shaken(8);
+    SphScheme scheme = twoPhases(8, 0.5).build(particles);
+    long before = scheme.bytes();
+    run(scheme, 1, 1, particles.count());
+    SphScheme without = twoPhasesWithoutForces(8, 0.5).build(particles);
+    run(without, 1, 1, particles.count());
+    assertTrue(before < scheme.bytes());
+    assertTrue(scheme.bytes() - without.bytes() >= (long) Double.BYTES * particles.count());
   }
 }
