@@ -45,8 +45,8 @@ public final class VoxelWalls implements WallDistance {
    * @param y what lies beyond the ends along y
    * @param z what lies beyond the ends along z; {@code PERIODIC} for a box of 2 dimensions
    * @param image which voxels are solid
-   * @throws IllegalArgumentException if there are too few voxels or too many, or the edge is not
-   *     positive
+   * @throws IllegalArgumentException if there are too few voxels or too many, the edge is not
+   *     positive, or there is one voxel along z with a solid beyond
    */
   public VoxelWalls(int nx, int ny, int nz, double edge, Ends x, Ends y, Ends z, Image image) {
     Checks.positive("edge of a voxel", "edge", edge);
@@ -60,6 +60,10 @@ public final class VoxelWalls implements WallDistance {
               + ny
               + " x "
               + nz);
+    }
+    if (nz == 1 && z != Ends.PERIODIC) {
+      throw new IllegalArgumentException(
+          "ends along z must be periodic where there is one voxel: nz=1, z=" + z);
     }
     this.nx = nx;
     this.ny = ny;

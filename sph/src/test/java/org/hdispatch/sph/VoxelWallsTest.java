@@ -120,6 +120,16 @@ class VoxelWallsTest {
     assertEquals(-1.5, walls.at(3, 6.5, 0), 1e-6);
   }
 
+  /** Nothing is asked about z then. */
+  @Test
+  void oneVoxelAlongZIsForTwoDimensions() {
+    IllegalArgumentException thrown =
+        assertThrows(
+            IllegalArgumentException.class,
+            () -> new VoxelWalls(4, 4, 1, 1, Ends.OPEN, Ends.OPEN, Ends.OPEN, (i, j, k) -> true));
+    assertTrue(thrown.getMessage().endsWith("nz=1, z=OPEN"), thrown.getMessage());
+  }
+
   @Test
   void voxelsMustBeAny() {
     IllegalArgumentException thrown =
