@@ -18,6 +18,14 @@ final class BlownUp {
         "particle must stay in the box, whose end is open there" + where(particles, n));
   }
 
+  static BlownUpException crowded(int particles) {
+    return new BlownUpException(
+        "cell and those around it must hold at most "
+            + Neighbourhood.MOST
+            + " particles: particles="
+            + particles);
+  }
+
   private static String where(ParticleArrays particles, int n) {
     return ": particle="
         + particles.id[n]

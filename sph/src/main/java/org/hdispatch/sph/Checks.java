@@ -11,6 +11,12 @@ final class Checks {
     }
   }
 
+  static void finite(String what, String symbol, double value) {
+    if (!Double.isFinite(value)) {
+      throw new IllegalArgumentException(what + " must be finite: " + symbol + "=" + value);
+    }
+  }
+
   static void notNegative(String what, String symbol, double value) {
     if (!(value >= 0 && Double.isFinite(value))) {
       throw new IllegalArgumentException(

@@ -1,13 +1,12 @@
 package org.hdispatch.sph;
 
+import java.util.Arrays;
+
 /**
  * For each particle of a cell the quads of its {@link Neighbourhood} that hold a neighbour, in
- * order; two bytes a quad.
+ * order; two bytes a quad, as a neighbourhood has {@link Neighbourhood#MOST} particles at most.
  */
 public final class NeighbourList {
-  /** Most quads that a neighbourhood may have. */
-  static final int MOST_QUADS = 1 << Character.SIZE;
-
   private int[] first = new int[1];
   private char[] quads = new char[0];
   private int particles;
@@ -25,16 +24,20 @@ public final class NeighbourList {
     return quads;
   }
 
-  /** Makes it empty, for so many particles with so many quads at most each. */
-  public void clear(int count, int most) {
+  /** Makes it empty, for so many particles. */
+  public void clear(int count) {
     particles = count;
     if (first.length <= count) {
       first = new int[count + count / 4 + 1];
     }
-    if (quads.length < count * most) {
-      quads = new char[count * most + count * most / 4];
-    }
     first[0] = 0;
+  }
+
+  /** Makes room for so many quads of all particles; those here stay. */
+  public void makeRoom(int length) {
+    if (quads.length < length) {
+      quads = Arrays.copyOf(quads, length + length / 4);
+    }
   }
 
   /** Takes over another list, with no more room than it needs and some to grow. */

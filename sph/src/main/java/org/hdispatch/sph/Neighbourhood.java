@@ -14,6 +14,9 @@ public final class Neighbourhood {
   /** Particles in a quad. Sums over neighbours keep so many partial sums, on every JVM. */
   public static final int LANES = 4;
 
+  /** Most particles in a neighbourhood: quads are numbered by two bytes. */
+  public static final int MOST = LANES << Character.SIZE;
+
   /** Planes of the position. */
   public static final int X = 0;
 
@@ -135,6 +138,9 @@ public final class Neighbourhood {
     own = 0;
     ownCount = 0;
     ownFluids = 0;
+    if (room > MOST) {
+      throw BlownUp.crowded(room);
+    }
     if (room + LANES > stride) {
       // not a multiple of a page, or the planes would fight for the same lines of the cache
       stride = (room + room / 4 + 64) / 64 * 64 + 24;

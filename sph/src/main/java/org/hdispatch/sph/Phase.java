@@ -47,6 +47,11 @@ public record Phase(
     return new Phase("wall of " + fluid.name, true, fluid.mass, TOUCHED, fluid.state);
   }
 
+  /** Distance of its particles at rest on a lattice: the D-th root of m/rho0. */
+  double spacing(int dimensions) {
+    return Math.pow(mass / state.restDensity(), 1.0 / dimensions);
+  }
+
   /** Kinematic viscosity nu = mu/rho0. */
   public double kinematicViscosity() {
     return viscosity / state.restDensity();

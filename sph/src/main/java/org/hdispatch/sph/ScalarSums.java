@@ -49,12 +49,13 @@ final class ScalarSums implements PairSums {
   public void search(Neighbourhood near, double reach, NeighbourList list) {
     int all = near.quads() * LANES;
     makeRoom(all);
-    list.clear(near.ownCount(), near.quads());
+    list.clear(near.ownCount());
     int[] first = list.first();
-    char[] quads = list.quads();
     double square = reach * reach;
     int length = 0;
     for (int i = 0; i < near.ownCount(); i++) {
+      list.makeRoom(length + near.quads());
+      char[] quads = list.quads();
       squaresOfAll(near, near.own() + i, all, squares);
       for (int n = 0; n < all; n += LANES) {
         double least =

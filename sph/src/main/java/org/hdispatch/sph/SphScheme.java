@@ -57,9 +57,9 @@ public final class SphScheme implements Scheme<ParticleCell, SphScratch> {
     kernel = settings.kernel;
     phases = settings.phases.toArray(Phase[]::new);
     mode = settings.mode;
-    skin = mode == SearchMode.VERLET ? settings.skin() : 0;
-    double reach = kernel.supportRadius() + skin;
-    grid = new ParticleGrid(settings.box, settings.edge(reach));
+    double reach = settings.reach();
+    skin = reach - kernel.supportRadius();
+    grid = settings.grid();
     sums = settings.form().of(settings.model());
     pairs = settings.pairs;
     plan.timeStep = settings.timeStep;
@@ -72,7 +72,7 @@ public final class SphScheme implements Scheme<ParticleCell, SphScratch> {
       solid[phase] = phases[phase].solid();
       viscosities[phase] = settings.model().plane(phases[phase].viscosity());
     }
-    double spacing = settings.spacing(particles.count());
+    double spacing = settings.spacing();
     rehash = new Rehash(cells, grid, plan, solid, settings.walls, spacing);
     surroundings = new Surroundings(grid, settings.model(), viscosities, pairs != null);
     passes =
@@ -153,8 +153,10 @@ public final class SphScheme implements Scheme<ParticleCell, SphScratch> {
    * @param gx acceleration of all fluid along x
    * @param gy along y
    * @param gz along z
+   * @throws IllegalArgumentException if it is not finite
    */
   public void drive(double gx, double gy, double gz) {
+    SetupCheck.bodyForce(gx, gy, gz);
     plan.gx = gx;
     plan.gy = gy;
     plan.gz = gz;
@@ -188,9 +190,9 @@ public final class SphScheme implements Scheme<ParticleCell, SphScratch> {
     travelled += fastest * plan.timeStep;
     written = plan.to;
     listed = true;
+    linked = true;
     fresh = false;
   }
-    linked = true;
 
   /** Speed of the fastest particle in the last step. */
   public double fastest() {
@@ -250,11 +252,11 @@ public final class SphScheme implements Scheme<ParticleCell, SphScratch> {
    * {@link #restore}. Counted anew, on the caller's thread.
    */
   public double neighboursMean() {
-    return new NeighbourCount(surroundings, kernel.supportRadius()).mean(cells, plan.at);
-  }
     if (!linked) {
       return Double.NaN;
     }
+    return new NeighbourCount(surroundings, kernel.supportRadius()).mean(cells, plan.at);
+  }
 
   /**
    * Bytes held for the particles: what all cells hold, with the room that their arrays have to grow

@@ -69,33 +69,18 @@ public final class SphSchemeBuilder {
     return this;
   }
 
-  double skin() {
-    return Double.isNaN(skin) ? SKIN * kernel.supportRadius() : skin;
-  }
-
   /**
    * Sets the edge of a cell, which is made to fit the box: what a worker takes at a time, and so
    * how much of its cache it needs. Default: as short as may be.
    *
-   * @param length at least the support radius, and the skin where there is one
+   * @param length at least the support radius, and the skin where there is one; so short that a
+   *     cell and those around it hold 262144 particles at most
+   * @throws IllegalArgumentException if it is not positive
    */
   public SphSchemeBuilder cellEdge(double length) {
     Checks.positive("cell edge", "edge", length);
     edge = length;
     return this;
-  }
-
-  double edge(double reach) {
-    if (edge != 0 && edge < reach) {
-      throw new IllegalArgumentException(
-          "cell edge must be at least the support radius and the skin: edge="
-              + edge
-              + ", support="
-              + kernel.supportRadius()
-              + ", skin="
-              + (mode == SearchMode.VERLET ? skin() : 0));
-    }
-    return edge == 0 ? reach : edge;
   }
 
   /** Sets the viscosity of unlike pairs. Default: {@link ViscosityMean#ARITHMETIC}. */
@@ -124,8 +109,13 @@ public final class SphSchemeBuilder {
     return this;
   }
 
-  /** Sets the body force, an acceleration of all fluid. Default: none. */
+  /**
+   * Sets the body force, an acceleration of all fluid. Default: none.
+   *
+   * @throws IllegalArgumentException if it is not finite
+   */
   public SphSchemeBuilder bodyForce(double x, double y, double z) {
+    SetupCheck.bodyForce(x, y, z);
     gx = x;
     gy = y;
     gz = z;
@@ -193,19 +183,55 @@ public final class SphSchemeBuilder {
     return new PairModel(kernel, mean, alike ? viscosity : Double.NaN, walls != null, wallFactor);
   }
 
-  /** Distance of particles if they fill the box: what bins of a cell are as long as. */
-  double spacing(int particles) {
-    return Math.pow(box.volume() / particles, 1.0 / box.dimensions());
+  /** Least distance of particles at rest. */
+  double spacing() {
+    double least = Double.POSITIVE_INFINITY;
+    for (Phase phase : phases) {
+      least = Math.min(least, phase.spacing(box.dimensions()));
+    }
+    return least;
+  }
+
+  /** How many particles at rest fill the box: there are hardly ever more. */
+  public double sites() {
+    return box.volume() / Math.pow(spacing(), box.dimensions());
+  }
+
+  /** How far particles are looked for. */
+  double reach() {
+    return kernel.supportRadius() + usedSkin();
+  }
+
+  private double usedSkin() {
+    if (mode != SearchMode.VERLET) {
+      return 0;
+    }
+    return Double.isNaN(skin) ? SKIN * kernel.supportRadius() : skin;
+  }
+
+  ParticleGrid grid() {
+    double reach = reach();
+    if (edge != 0 && edge < reach) {
+      throw new IllegalArgumentException(
+          "cell edge must be at least the support radius and the skin: edge="
+              + edge
+              + ", support="
+              + kernel.supportRadius()
+              + ", skin="
+              + usedSkin());
+    }
+    return new ParticleGrid(box, edge == 0 ? reach : edge);
   }
 
   /**
    * The scheme.
    *
-   * @throws IllegalArgumentException if the support is too small for the particles or too large for
-   *     the box, the time step is above its limits, the body force drives the flow faster than a
+   * @throws IllegalArgumentException if the smoothing length is too small for the particles, the
+   *     support too large for the box, cells are shorter than the support or hold too many
+   *     particles, the time step is above its limits, the body force drives the flow faster than a
    *     tenth of the speed of sound, there is no phase, a phase has no particles, a particle is of
-   *     no phase, lies outside the box or in a wall, solids have no walls, or pairwise forces are
-   *     not those of the phases or too strong for the time step
+   *     no phase, lies outside the box or in a wall or has no finite velocity, solids have no
+   *     walls, or pairwise forces are not those of the phases or too strong for the time step
    * @throws IllegalStateException if the time step is not set, or this JVM lacks the form of sums
    */
   public SphScheme build(Particles particles) {
@@ -223,7 +249,8 @@ public final class SphSchemeBuilder {
     double force = Math.sqrt(gx * gx + gy * gy + gz * gz);
     SetupCheck set = new SetupCheck(box, kernel, phases);
     set.spacing();
-    set.box(mode == SearchMode.VERLET ? kernel.supportRadius() + skin() : kernel.supportRadius());
+    set.box(reach());
+    set.cells(grid(), spacing());
     set.timeStep(timeStep, force, courantNumber);
     double widest = 0; // distance from a wall
     int[] ofPhase = new int[phases.size()];
@@ -287,6 +314,20 @@ public final class SphSchemeBuilder {
     if (!inside) {
       throw new IllegalArgumentException(
           "particle must lie in the box: particle=" + n + ", x=" + x + ", y=" + y + ", z=" + z);
+    }
+    double u = particles.u(n);
+    double v = particles.v(n);
+    double w = particles.w(n);
+    if (!Double.isFinite(u + v + w)) {
+      throw new IllegalArgumentException(
+          "velocity of a particle must be finite: particle="
+              + n
+              + ", u="
+              + u
+              + ", v="
+              + v
+              + ", w="
+              + w);
     }
     if (phase.solid() || walls == null) {
       return 0;

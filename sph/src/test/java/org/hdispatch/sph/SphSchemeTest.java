@@ -254,6 +254,34 @@ class SphSchemeTest {
     assertEquals(n * n * n, scheme.fluidParticles());
   }
 
+  /** Nor do cells, nor how near to a wall a particle counts as being. */
+  @Test
+  void emptyPartsOfTheBoxChangeNothing() {
+    double[] low = aboveAWall(9);
+    double[] high = aboveAWall(120);
+    assertTrue(low[3] < 0.0095, () -> "the wall holds it back: " + low[3]);
+    assertArrayEquals(low, high, 1e-15); // round-off
+  }
+
+  /** A particle 0.3 above a wall that slides along it, after a step. */
+  private static double[] aboveAWall(double height) {
+    Particles particles = new Particles().add(0, 6.2, 4.3, 0, 0.01, 0, 0);
+    for (int n = 0; n < 4 * 12; n++) {
+      particles.add(1, n % 12 + 0.5, n / 12 + 0.5, 0);
+    }
+    EquationOfState state = EquationOfState.withoutTension(STATE);
+    Phase fluid = Phase.fluid("water", 1, MU, state);
+    ParticleBox box = ParticleBox.plane(12, height, Ends.PERIODIC, Ends.OPEN);
+    SphScheme scheme =
+        SphScheme.builder(box, new QuinticSpline(1, 2))
+            .phase(fluid)
+            .phase(Phase.wallOf(fluid))
+            .walls((x, y, z) -> y - 4)
+            .timeStep(0.02)
+            .build(particles);
+    return run(scheme, 1, 1, particles.count())[0];
+  }
+
   @Test
   void holdsAtLeastTheStateOfItsParticlesTwice() {
     Particles particles = shaken(12, 0.2);

@@ -64,9 +64,10 @@ abstract class VectorSums implements PairSums {
 
   @Override
   public final void search(Neighbourhood near, double reach, NeighbourList list) {
-    list.clear(near.ownCount(), near.quads());
+    list.clear(near.ownCount());
     int[] first = list.first();
     for (int i = 0; i < near.ownCount(); i++) {
+      list.makeRoom(first[i] + near.quads());
       first[i + 1] =
           find(
               near.values(),
