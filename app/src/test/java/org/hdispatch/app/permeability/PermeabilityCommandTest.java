@@ -431,6 +431,8 @@ class PermeabilityCommandTest {
   void whatParticlesDoNotTakeIsRefused() {
     Cli.run("permeability", "--method=sph", "--wall-factor=0.5").assertRefused(2, "beta_max=0.5");
     Cli.run("permeability", "--method=sph", "--smoothing-length=3").assertRefused(2, "h=3.0");
+    Cli.run("permeability", "--method=sph", "--sides=periodic", "--box=0,0,0,3,32,32")
+        .assertRefused(2, "axis=X, length=3 voxels, reach=3.1 voxels");
     Cli.run("permeability", "--method=sph", "--sides=mirror").assertRefused(2, "sides=MIRROR");
     Cli.run("permeability", "--method=sph", "--tau=1").assertRefused(2, "--tau");
     Cli.run("permeability", "--smoothing-length=1.5").assertRefused(2, "--method sph");

@@ -52,7 +52,7 @@ public record FlowChoice(Method method, FlowOptions options, SphOptions particle
   public double estimatedBytes(Pores pores) {
     long flow =
         method == Method.SPH
-            ? SphFlow.estimatedBytes(pores.space(), options)
+            ? SphFlow.estimatedBytes(pores.space(), options, particles)
             : pores.solid().isPresent()
                 ? LbmFlow.estimatedBytes(pores.solid().get(), options)
                 : LbmFlow.estimatedBytes(pores.space(), options);

@@ -32,7 +32,7 @@ final class ParticleLayout {
     this.reach = reach;
     lattice = domain.lattice();
     for (Axis axis : Axis.values()) {
-      margin[axis.ordinal()] = domain.isWalled(axis.ordinal()) ? (int) Math.ceil(reach) + 1 : 0;
+      margin[axis.ordinal()] = margin(domain, axis, reach);
     }
     int nx = lattice.nx() + 2 * margin[0];
     int ny = lattice.ny() + 2 * margin[1];
@@ -42,6 +42,18 @@ final class ParticleLayout {
         new VoxelWalls(
             nx, ny, nz, 1, lattice.x(), lattice.y(), lattice.z(), (x, y, z) -> !isFluid(x, y, z));
     nodes = fluidNodes();
+  }
+
+  private static int margin(FlowDomain domain, Axis axis, double reach) {
+    return domain.isWalled(axis.ordinal()) ? (int) Math.ceil(reach) + 1 : 0;
+  }
+
+  /** Voxels of the box, layers of wall included: there are not more particles. */
+  static double voxels(FlowDomain domain, double reach) {
+    Lattice lattice = domain.lattice();
+    return (lattice.nx() + 2.0 * margin(domain, Axis.X, reach))
+        * (lattice.ny() + 2.0 * margin(domain, Axis.Y, reach))
+        * (lattice.nz() + 2.0 * margin(domain, Axis.Z, reach));
   }
 
   private boolean isFluid(int x, int y, int z) {

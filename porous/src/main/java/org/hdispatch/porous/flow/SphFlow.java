@@ -2,6 +2,8 @@ package org.hdispatch.porous.flow;
 
 import java.util.Objects;
 import org.hdispatch.dispatch.Dispatcher;
+import org.hdispatch.lbm.Lattice;
+import org.hdispatch.porous.image.Axis;
 import org.hdispatch.porous.pore.Percolation;
 import org.hdispatch.porous.pore.PoreSpace;
 
@@ -14,8 +16,11 @@ import org.hdispatch.porous.pore.PoreSpace;
  * the pressure of the particles.
  */
 public final class SphFlow {
-  /** Heap that a particle takes, lists of neighbours included. */
-  private static final int BYTES_PER_PARTICLE = 600;
+  /** Heap that a particle takes. */
+  private static final int BYTES_PER_PARTICLE = 350;
+
+  /** Heap that the neighbours of a particle take, listed, at h = 1; they grow as h^3. */
+  private static final int BYTES_PER_LIST = 250;
 
   private SphFlow() {}
 
@@ -29,8 +34,8 @@ public final class SphFlow {
    * @param particles settings
    * @param listener hears of the progress
    * @return the flow; k = 0 without a step if no cluster spans
-   * @throws IllegalArgumentException if the boundaries are others, or fluid is nowhere held back by
-   *     a wall
+   * @throws IllegalArgumentException if the boundaries are others, fluid is nowhere held back by a
+   *     wall, or particles reach farther than the rock is long where it is periodic
    * @throws org.hdispatch.dispatch.KernelException if the flow blows up, or a worker fails
    * @throws IllegalStateException if the dispatcher is running a loop or is closed
    * @throws java.util.concurrent.CancellationException if the caller is interrupted or the
@@ -51,6 +56,7 @@ public final class SphFlow {
       return SteadyFlow.none(options, space.porosity(), percolation);
     }
     FlowDomain domain = new FlowDomain(percolation.connected(), options);
+    checkLength(domain, particles);
     return new SteadySphRun(
             dispatcher, space.porosity(), options, particles, percolation, domain, listener)
         .toSteadyState();
@@ -71,17 +77,41 @@ public final class SphFlow {
     }
   }
 
+  /** No particle sees another twice. */
+  private static void checkLength(FlowDomain domain, SphOptions particles) {
+    double reach = SteadySphRun.reach(particles);
+    for (Axis axis : Axis.values()) {
+      Lattice lattice = domain.lattice();
+      int length = axis.length(lattice.nx(), lattice.ny(), lattice.nz());
+      if (!domain.isWalled(axis.ordinal()) && length < reach) {
+        throw new IllegalArgumentException(
+            "rock must be as long as particles reach where it is periodic: axis="
+                + axis
+                + ", length="
+                + length
+                + " voxels, reach="
+                + reach
+                + " voxels");
+      }
+    }
+  }
+
   /**
    * Heap that a computation needs, in bytes: an estimate from above, for a rock of which every
    * voxel is a particle.
    *
-   * @throws IllegalArgumentException if the boundaries are not those of {@link #solve}
+   * @throws IllegalArgumentException if the boundaries or lengths are not those of {@link #solve}
    */
-  public static long estimatedBytes(PoreSpace space, FlowOptions options) {
+  public static long estimatedBytes(PoreSpace space, FlowOptions options, SphOptions particles) {
     check(options);
     FlowDomain domain = new FlowDomain(space, options);
-    long voxels = space.voxels() + 2 * domain.slabVoxels();
-    return voxels * (BYTES_PER_PARTICLE + PressureSolver.BYTES_PER_VOXEL + 4 * Double.BYTES)
+    checkLength(domain, particles);
+    double h = particles.smoothingLength();
+    double each = BYTES_PER_PARTICLE + BYTES_PER_LIST * h * h * h;
+    double all = each * ParticleLayout.voxels(domain, SteadySphRun.reach(particles));
+    long nodes = space.voxels() + 2 * domain.slabVoxels();
+    return (long) all
+        + nodes * (PressureSolver.BYTES_PER_VOXEL + 4 * Double.BYTES)
         + (space.poreVoxels() + 2 * domain.slabVoxels()) * PressureSolver.BYTES_PER_NODE;
   }
 }

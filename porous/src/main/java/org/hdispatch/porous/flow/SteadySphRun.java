@@ -88,7 +88,7 @@ final class SteadySphRun implements Stepping.Flow {
     this.percolation = percolation;
     this.domain = domain;
     this.listener = listener;
-    kernel = new QuinticSpline(settings.smoothingLength(), 3);
+    kernel = kernel(settings);
     double h = settings.smoothingLength();
     double viscousStep = TimeStep.VISCOUS * h * h / VISCOSITY;
     soundSpeed = COURANT * h / viscousStep;
@@ -105,7 +105,7 @@ final class SteadySphRun implements Stepping.Flow {
             * VISCOSITY
             / domain.guessedPermeability();
     limits = TimeStep.of(kernel, List.of(fluid), force, COURANT);
-    layout = new ParticleLayout(domain, kernel.supportRadius() + SKIN);
+    layout = new ParticleLayout(domain, reach(settings));
     long begin = System.nanoTime();
     darcy = new DarcyFlow(dispatcher, domain, VISCOSITY);
     darcy.start(force);
@@ -134,6 +134,15 @@ final class SteadySphRun implements Stepping.Flow {
     densities = new double[layout.nodes().length];
     gains = new double[sizeAlong()];
     sections = new double[sizeAlong()];
+  }
+
+  private static QuinticSpline kernel(SphOptions settings) {
+    return new QuinticSpline(settings.smoothingLength(), 3);
+  }
+
+  /** How far a particle looks for others, voxels. */
+  static double reach(SphOptions settings) {
+    return kernel(settings).supportRadius() + SKIN;
   }
 
   private int sizeAlong() {

@@ -94,6 +94,32 @@ class SphFlowTest {
     }
   }
 
+  /** A particle would see another and its image. */
+  @Test
+  void refusesAPeriodicRockShorterThanParticlesReach() {
+    FlowOptions periodic = COARSE.withBoundaries(Sides.PERIODIC, Inlet.PERIODIC);
+    PoreSpace thin = PoreSpace.of(8, 3, 8, (x, y, z) -> x > 1);
+    String message =
+        assertThrows(IllegalArgumentException.class, () -> solve(thin, periodic, 1)).getMessage();
+    assertTrue(message.endsWith("axis=Y, length=3 voxels, reach=3.1 voxels"), message);
+    SphOptions wide = new SphOptions(2, 4);
+    PoreSpace cube = PoreSpace.of(6, 8, 8, (x, y, z) -> x > 1);
+    assertThrows(
+        IllegalArgumentException.class, () -> SphFlow.estimatedBytes(cube, periodic, wide));
+  }
+
+  /** Lists of neighbours grow as h^3; walls at the sides are particles, too. */
+  @Test
+  void estimateOfTheHeapCountsListsAndWalls() {
+    FlowOptions periodic = COARSE.withBoundaries(Sides.PERIODIC, Inlet.PERIODIC);
+    PoreSpace half = PoreSpace.of(16, 16, 16, (x, y, z) -> x < 8);
+    long bytes = SphFlow.estimatedBytes(half, periodic, SphOptions.DEFAULT);
+    assertTrue(
+        SphFlow.estimatedBytes(half, periodic, new SphOptions(2, 4)) > 2 * bytes, () -> "" + bytes);
+    FlowOptions walled = COARSE.withBoundaries(Sides.WALL, Inlet.PERIODIC);
+    assertTrue(SphFlow.estimatedBytes(half, walled, SphOptions.DEFAULT) > 2 * bytes);
+  }
+
   @Test
   void refusesFacesThatParticlesDoNotHave() {
     IllegalArgumentException mirror =
