@@ -38,6 +38,7 @@ public record Drop(
     PairProfile profile) {
   private static final double COMPRESSION = 0.06; // of what cohesion does to the fluid
   private static final double DISORDER = 0.1; // spacings
+  private static final double INSIDE = 0.6; // of the radius: far from the surface
   private static final int SEED = 12;
 
   /**
@@ -50,6 +51,10 @@ public record Drop(
     if (!(radius >= 4 && Double.isFinite(radius))) {
       throw new IllegalArgumentException(
           "radius of a drop must be at least 4 spacings: R=" + radius);
+    }
+    if (!(viscosity > 0 && Double.isFinite(viscosity))) {
+      throw new IllegalArgumentException(
+          "viscosity of a drop must be positive and finite: nu=" + viscosity);
     }
     if (!(stretch >= 0.25 && stretch <= 4)) {
       throw new IllegalArgumentException(
@@ -91,6 +96,46 @@ public record Drop(
   public double period(double surfaceTension) {
     double cube = radius * radius * radius;
     return 2 * Math.PI * Math.sqrt(cube / ((dimensions == 2 ? 6 : 8) * surfaceTension));
+  }
+
+  /** Pressure inside a resting drop of so many particles by Laplace's law: (D - 1)/R. */
+  public double laplacePressure(int particles) {
+    return (dimensions - 1) / radius(particles);
+  }
+
+  /** Radius of a drop of so many particles, of which there is one in a unit of volume. */
+  private double radius(int particles) {
+    return dimensions == 2
+        ? Math.sqrt(particles / Math.PI)
+        : Math.cbrt(3.0 * particles / (4 * Math.PI));
+  }
+
+  /**
+   * Mean pressure inside the drop, up to 0.6 R from its middle.
+   *
+   * @param scheme of this case, after a step
+   */
+  public double pressure(SphScheme scheme) {
+    int count = scheme.particles();
+    double inside = INSIDE * radius(count);
+    double[] sums = new double[5]; // x, y, z of the middle; pressure, particles inside
+    scheme.forEachParticle(
+        (id, phase, x, y, z, u, v, w, n, p) -> {
+          sums[0] += x / count;
+          sums[1] += y / count;
+          sums[2] += z / count;
+        });
+    scheme.forEachParticle(
+        (id, phase, x, y, z, u, v, w, n, p) -> {
+          double dx = x - sums[0];
+          double dy = y - sums[1];
+          double dz = z - sums[2];
+          if (dx * dx + dy * dy + dz * dz < inside * inside) {
+            sums[3] += p;
+            sums[4]++;
+          }
+        });
+    return sums[3] / sums[4];
   }
 
   /** Settings of the scheme. */

@@ -15,43 +15,19 @@ import org.junit.jupiter.api.Test;
 class DropValidationTest {
   private static final double[] RADII = {8, 12, 16, 20};
 
-  /** Number of particles over pi R^2 is the number density, 1, to a few percent. */
-  private static double radius(int particles) {
-    return Math.sqrt(particles / Math.PI);
-  }
-
   /** Mean pressure in the inner part of a drop, over time, from when it has come to rest. */
   private static double pressure(Drop drop, double time, int samples) {
     SphScheme scheme = drop.settings().build(drop.particles());
-    int count = drop.particles().count();
-    double inner = 0.6 * radius(count);
     double sum = 0;
     try (Dispatcher dispatcher = Dispatcher.withWorkers(2)) {
       TimeLoop loop = dispatcher.loop(scheme);
       Flows.runTo(loop, scheme, time / 2);
       for (int sample = 1; sample <= samples; sample++) {
         Flows.runTo(loop, scheme, time / 2 * (1 + (double) sample / samples));
-        sum += innerPressure(scheme, count, inner);
+        sum += drop.pressure(scheme);
       }
     }
     return sum / samples;
-  }
-
-  private static double innerPressure(SphScheme scheme, int count, double inner) {
-    double[] sums = new double[4];
-    scheme.forEachParticle(
-        (id, phase, x, y, z, u, v, w, n, p) -> {
-          sums[0] += x / count;
-          sums[1] += y / count;
-        });
-    scheme.forEachParticle(
-        (id, phase, x, y, z, u, v, w, n, p) -> {
-          if (Math.hypot(x - sums[0], y - sums[1]) < inner) {
-            sums[2] += p;
-            sums[3]++;
-          }
-        });
-    return sums[2] / sums[3];
   }
 
   /** Pressures follow a straight line in 1/R. Its slope is the surface tension. */
@@ -64,7 +40,7 @@ class DropValidationTest {
     double meanPressure = 0;
     for (int n = 0; n < RADII.length; n++) {
       Drop drop = Drop.firm(2, RADII[n]);
-      curvatures[n] = 1 / radius(drop.particles().count());
+      curvatures[n] = drop.laplacePressure(drop.particles().count());
       pressures[n] = pressure(drop, 300, 60);
       meanCurvature += curvatures[n] / RADII.length;
       meanPressure += pressures[n] / RADII.length;
