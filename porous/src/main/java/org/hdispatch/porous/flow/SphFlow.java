@@ -17,10 +17,10 @@ import org.hdispatch.porous.pore.PoreSpace;
  */
 public final class SphFlow {
   /** Heap that a particle takes. */
-  private static final int BYTES_PER_PARTICLE = 350;
+  private static final int BYTES_PER_PARTICLE = 450;
 
   /** Heap that the neighbours of a particle take, listed, at h = 1; they grow as h^3. */
-  private static final int BYTES_PER_LIST = 250;
+  private static final int BYTES_PER_LIST = 150;
 
   private SphFlow() {}
 

@@ -108,16 +108,20 @@ class SphFlowTest {
         IllegalArgumentException.class, () -> SphFlow.estimatedBytes(cube, periodic, wide));
   }
 
-  /** Lists of neighbours grow as h^3; walls at the sides are particles, too. */
+  /** Lists of neighbours grow as h^3: cells hold 372 bytes a particle at h = 1, 1124 at 2. */
   @Test
   void estimateOfTheHeapCountsListsAndWalls() {
     FlowOptions periodic = COARSE.withBoundaries(Sides.PERIODIC, Inlet.PERIODIC);
     PoreSpace half = PoreSpace.of(16, 16, 16, (x, y, z) -> x < 8);
-    long bytes = SphFlow.estimatedBytes(half, periodic, SphOptions.DEFAULT);
-    assertTrue(
-        SphFlow.estimatedBytes(half, periodic, new SphOptions(2, 4)) > 2 * bytes, () -> "" + bytes);
+    int voxels = 16 * 16 * 16;
+    long narrow = SphFlow.estimatedBytes(half, periodic, SphOptions.DEFAULT);
+    long wide = SphFlow.estimatedBytes(half, periodic, new SphOptions(2, 4));
+    assertTrue(narrow > 372 * voxels && wide > 1124 * voxels, narrow + " " + wide);
+    assertTrue(wide - narrow > (1124 - 372) * voxels, narrow + " " + wide);
     FlowOptions walled = COARSE.withBoundaries(Sides.WALL, Inlet.PERIODIC);
-    assertTrue(SphFlow.estimatedBytes(half, walled, SphOptions.DEFAULT) > 2 * bytes);
+    long withWalls = SphFlow.estimatedBytes(half, walled, SphOptions.DEFAULT);
+    int layers = 16 * (22 * 22 - 16 * 16); // three on each side
+    assertTrue(withWalls - narrow > 372 * layers, narrow + " " + withWalls);
   }
 
   @Test
