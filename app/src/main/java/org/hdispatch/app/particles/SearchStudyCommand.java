@@ -1,6 +1,7 @@
 package org.hdispatch.app.particles;
 
 import java.util.List;
+import java.util.Locale;
 import java.util.Optional;
 import java.util.concurrent.Callable;
 import org.hdispatch.app.console.CommandConsole;
@@ -187,7 +188,7 @@ public final class SearchStudyCommand implements Callable<Integer> {
     PeriodicShear shear = SphPeriodicCommand.shear(periodic, SUPPORT);
     SphHeap.require(host, SearchMode.VERLET, 3, shear.count(), SUPPORT);
     return new SearchFlow(
-        String.format("shear flow in a periodic box of %d^3 particles", shear.edge()),
+        String.format(Locale.ROOT, "shear flow in a periodic box of %d^3 particles", shear.edge()),
         shear::settings,
         shear.particles());
   }
@@ -214,8 +215,15 @@ public final class SearchStudyCommand implements Callable<Integer> {
     SphHeap.require(host, SearchMode.VERLET, 3, particles.count(), SUPPORT);
     String name =
         String.format(
+            Locale.ROOT,
             "%s, %d x %d x %d voxels, %d x %d x %d times",
-            source.name(), space.nx(), space.ny(), space.nz(), repeats[0], repeats[1], repeats[2]);
+            source.name(),
+            space.nx(),
+            space.ny(),
+            space.nz(),
+            repeats[0],
+            repeats[1],
+            repeats[2]);
     return new SearchFlow(name, flow::settings, particles);
   }
 
