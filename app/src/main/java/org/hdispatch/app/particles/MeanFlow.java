@@ -1,6 +1,7 @@
 package org.hdispatch.app.particles;
 
 import java.util.List;
+import java.util.function.DoubleSupplier;
 import org.hdispatch.sph.Particles;
 import org.hdispatch.sph.SphScheme;
 import org.hdispatch.sph.SphSchemeBuilder;
@@ -11,9 +12,10 @@ import org.hdispatch.sph.cases.FlowCase;
  *
  * @param flow the flow
  * @param duration time after which it is steady
- * @param known the superficial velocity that is right
+ * @param known the superficial velocity that is right; asked for at the end, as it takes a look at
+ *     every site
  */
-record MeanFlow(FlowCase flow, double duration, double known) implements ReadyFlow {
+record MeanFlow(FlowCase flow, double duration, DoubleSupplier known) implements ReadyFlow {
   @Override
   public SphSchemeBuilder settings() {
     return flow.settings();
@@ -32,6 +34,7 @@ record MeanFlow(FlowCase flow, double duration, double known) implements ReadyFl
   @Override
   public List<Finding> findings(SphScheme scheme, double time) {
     double found = flow.superficialVelocity(scheme);
-    return List.of(Finding.of("superficial_velocity", "superficial velocity", found, known));
+    return List.of(
+        Finding.of("superficial_velocity", "superficial velocity", found, known.getAsDouble()));
   }
 }

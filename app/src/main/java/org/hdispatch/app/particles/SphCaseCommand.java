@@ -93,6 +93,7 @@ final class SphCaseCommand implements Callable<Integer> {
       double duration,
       Optional<OutputFolder> folder)
       throws ImageFileException {
+    SphHeap.requireSites(host, settings.sites());
     Particles particles = flow.particles();
     double support = settings.kernel().supportRadius() / flow.spacing();
     int dimensions = settings.kernel().dimensions();

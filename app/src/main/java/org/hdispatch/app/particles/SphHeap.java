@@ -7,8 +7,11 @@ import org.hdispatch.sph.SearchMode;
 
 /** How much heap particles take. */
 final class SphHeap {
-  /** Measured: 170 to 250 bytes, and those that the particles come in, 100. */
-  private static final double BYTES = 400;
+  /** What particles come in, its growing counted. */
+  private static final double GIVEN_BYTES = 100;
+
+  /** Measured: 170 to 250 bytes, and those that the particles come in. */
+  private static final double BYTES = 300 + GIVEN_BYTES;
 
   /** Of neighbours within 3 distances, in 3-D; measured: 150 to 250 bytes. */
   private static final double LIST_BYTES = 300;
@@ -16,6 +19,16 @@ final class SphHeap {
   private static final double LIST_SUPPORT = 3;
 
   private SphHeap() {}
+
+  /**
+   * Checks that the particles could be given, before they are made.
+   *
+   * @param sites how many particles there are at most
+   * @throws HeapException if not
+   */
+  static void requireSites(Host host, double sites) {
+    host.requireHeap(String.format(Locale.ROOT, "%.0f particles", sites), sites * GIVEN_BYTES);
+  }
 
   /**
    * Checks that particles fit.

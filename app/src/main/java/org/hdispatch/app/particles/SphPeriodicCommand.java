@@ -1,5 +1,6 @@
 package org.hdispatch.app.particles;
 
+import java.util.Locale;
 import java.util.Optional;
 import java.util.concurrent.Callable;
 import org.hdispatch.app.console.CommandConsole;
@@ -109,8 +110,10 @@ final class SphPeriodicCommand implements Callable<Integer> {
             .line(
                 "case",
                 String.format(
+                    Locale.ROOT,
                     "shear flow in a periodic box, %d particles (%d^3)",
-                    shear.count(), shear.edge()));
+                    shear.count(),
+                    shear.edge()));
     report.putInto(table);
     console.print(output.form(row, table.toString()));
     if (folder.isPresent()) {

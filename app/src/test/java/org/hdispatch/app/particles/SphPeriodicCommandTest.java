@@ -147,6 +147,10 @@ class SphPeriodicCommandTest {
         .assertRefused(2, "edge of the box must be at least twice the support: edge=5");
     periodic("--particles=512 --cell-edge=3.1")
         .assertRefused(2, "cell edge must be at least the support radius and the skin: edge=3.1");
+    periodic("--particles=85184 --cell-edge=22")
+        .assertRefused(2, "at most 262144 particles: edge=22.0, particles=287496");
+    periodic("--particles=512 --support=2")
+        .assertRefused(2, "smoothing length must be long enough");
     periodic("--search=never").assertRefused(2, "--search must be one of double, single, verlet");
     periodic("--form=vector --particles=512 --support=x").assertRefused(2, "--support must be");
     Cli.run("sph", "perodic").assertRefused(2, "did you mean periodic?", "(see hdispatch sph");
