@@ -64,8 +64,7 @@ class SteadyStateValidationTest {
                   if (!flow.converged() || error > options.tolerance()) {
                     wrong.add(text + ": " + error + " after " + flow.work().steps());
                   }
-                  SteadyFlow plain =
-                      solve(dispatcher, rock, options.withApproach(Approach.PLAIN));
+                  SteadyFlow plain = solve(dispatcher, rock, options.withApproach(Approach.PLAIN));
                   double plainError = Math.abs(plain.permeability() / truth - 1);
                   if (!plain.converged() || plainError > options.tolerance()) {
                     wrong.add(text + ", plain: " + plainError + " after " + plain.work().steps());
