@@ -25,7 +25,7 @@ class HelpTest {
 
   @Test
   void everyCommandHelpsAndTellsItsVersion() {
-    assertEquals(25, commands().size());
+    assertEquals(26, commands().size());
     for (CommandLine command : commands()) {
       List<String> words =
           new ArrayList<>(List.of(command.getCommandSpec().qualifiedName().split(" ")));
