@@ -1,5 +1,6 @@
 package org.hdispatch.app;
 
+import static org.junit.jupiter.api.Assertions.assertDoesNotThrow;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
@@ -21,6 +22,16 @@ class HelpTest {
   private static void collect(CommandLine command, List<CommandLine> all) {
     all.add(command);
     command.getSubcommands().values().forEach(each -> collect(each, all));
+  }
+
+  /** Of a description that picocli cannot format it complains on the screen. */
+  @Test
+  void descriptionsAreFormats() {
+    for (CommandLine command : commands()) {
+      for (String text : command.getCommandSpec().usageMessage().description()) {
+        assertDoesNotThrow(() -> String.format(text), text);
+      }
+    }
   }
 
   @Test

@@ -142,7 +142,7 @@ enum ReadyCase {
       24,
       "A drop in a void, held together by pairwise forces that the mean field gives a surface"
           + " tension of 1, 2-D; the size is its diameter. Known: the pressure inside, by Laplace's"
-          + " law, below which frozen stress keeps it, by 10 to 40 % at sizes above 16.",
+          + " law, below which frozen stress keeps it, by a tenth to four tenths at sizes above 16.",
       "",
       size -> {
         Drop flow = Drop.firm(2, size / 2.0);
